@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verbs.h"
+
+#include <posture/core/error.h>
+
+#include <CLI/CLI.hpp>
+
+#include <omp.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace {
+
+/// One line on stderr, whatever line breaks the message has.
+int fail(const char* message, int exit_code) {
+  std::string line = message;
+  for (char& c : line)
+    if (c == '\n' || c == '\r') c = ' ';
+  std::fprintf(stderr, "posture: %s\n", line.c_str());
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace posture::app;
+  CLI::App app{"Registration of bodies that bend: for every point of one shape, where it is on the other."};
+  app.name("posture");
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.set_version_flag("--version", POSTURE_VERSION);
+
+  Common common;
+  app.add_flag("-q,--quiet", common.quiet, "Say nothing but errors");
+  app.add_flag("--json", common.json, "Print the result as JSON");
+  app.add_option("--threads", common.threads, "Threads to use (default: all processors)")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--seed", common.seed, "Seed of what is random");
+  app.parse_complete_callback([&] {
+    if (common.threads > 0) omp_set_num_threads(common.threads);
+  });
+  addRegister(app, common);
+  addEvaluate(app, common);
+  addBenchmark(app, common);
+  addSynthesize(app, common);
+  addRender(app, common);
+
+  try {
+    app.parse(argc, argv);
+    return common.exit_code;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return fail((std::string(error.what()) + " (see posture --help)").c_str(), EXIT_USAGE);
+  } catch (const posture::InputError& error) {
+    return fail(error.what(), EXIT_INPUT);
+  } catch (const std::bad_alloc&) {
+    return fail("the input does not fit into memory", EXIT_INPUT);
+  } catch (const std::exception& error) {
+    return fail(error.what(), EXIT_INPUT);
+  }
+}

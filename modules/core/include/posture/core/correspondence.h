@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/core/types.h>
+
+#include <vector>
+
+namespace posture {
+
+/// A place on a triangle mesh: the nearest vertex, and a face with barycentric coordinates.
+struct SurfacePoint {
+  int vertex = -1;  ///< -1: no place at all; the other members then mean nothing
+  int face = -1;    ///< -1: the vertex belongs to no face
+  Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();  ///< >= 0, sum 1
+};
+
+/// Where each vertex of the source lies on the target, both numbered as they were given.
+struct Correspondence {
+  std::vector<SurfacePoint> on_target;  ///< n, one per source vertex
+  Vector confidence;                    ///< n, in [0, 1]; 0 where there is no counterpart
+};
+
+/// A known pair of a source and a target vertex, 0-based.
+struct VertexPair {
+  int source = 0;
+  int target = 0;
+};
+
+}  // namespace posture

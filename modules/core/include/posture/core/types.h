@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace posture {
+
+using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  ///< n x 3
+using Faces = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;      ///< m x 3, CCW, 0-based
+using Colors = Eigen::Matrix<std::uint8_t, Eigen::Dynamic, 3, Eigen::RowMajor>;  ///< n x 3, RGB
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+/// Large tables of lengths or weights, one row a landmark. Single precision: a length is known to
+/// a fraction of an edge, and the table of a 25,000-vertex mesh would not fit twice as wide.
+using Table = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+struct TriangleMesh {
+  Points vertices;
+  Faces faces;
+};
+
+}  // namespace posture

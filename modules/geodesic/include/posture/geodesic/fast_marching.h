@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/core/types.h>
+
+#include <memory>
+#include <vector>
+
+namespace posture {
+
+/// The distances from one source over a mesh, and the way each of them came.
+struct GeodesicField {
+  std::vector<double> distance;   ///< n, in mesh units; infinity where not reached
+  std::vector<int> predecessor;   ///< n: the neighbour the front came through; -1 at the source
+  std::vector<int> order;         ///< vertices reached, by increasing distance
+};
+
+/// Geodesic distances on triangle meshes by fast marching (Kimmel and Sethian 1998), with obtuse
+/// corners split by unfolding their neighbours and fronts propagated as circles around a virtual
+/// source (Novotni and Klein 2002), which is exact in the plane. Any triangle soup will do:
+/// non-manifold edges carry the front on all their sides. O(n log n) a source.
+///
+/// const members may be called from several threads, each with a field of its own.
+class FastMarching {
+ public:
+  explicit FastMarching(const TriangleMesh& mesh);
+  ~FastMarching();
+  FastMarching(FastMarching&&) noexcept;
+  FastMarching& operator=(FastMarching&&) noexcept;
+
+  /// Distances to every vertex. `field` is overwritten; handing in the same one again saves
+  /// allocations.
+  /// \throws std::invalid_argument  no such vertex.
+  void march(int source, GeodesicField& field) const;
+
+  /// As march(), but stops when all of `goals` have their distance.
+  void marchUntil(int source, const std::vector<int>& goals, GeodesicField& field) const;
+
+  /// Lowers `distance` (n, infinity where nothing was reached so far) to the distance from `source`
+  /// wherever that is less, and touches no other part of the mesh: the cost is that of the
+  /// source's Voronoi cell. `nearest` (n) becomes `label` there.
+  void marchWithin(int source, int label, std::vector<double>& distance,
+                   std::vector<int>& nearest) const;
+
+  int vertexCount() const;
+
+ private:
+  struct Graph;
+  std::unique_ptr<const Graph> graph_;
+};
+
+}  // namespace posture

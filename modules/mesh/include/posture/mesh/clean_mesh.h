@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/core/types.h>
+
+#include <string>
+#include <vector>
+
+namespace posture {
+
+/// What cleaning found.
+struct CleaningSummary {
+  int unreferenced_vertices = 0;  ///< in no face
+  int welded_vertices = 0;        ///< at the very place of an earlier one
+  int degenerate_faces = 0;       ///< a corner twice, after welding
+  int repeated_faces = 0;         ///< the corners of an earlier face
+  int flipped_faces = 0;          ///< turned round to agree with their neighbours
+  int non_manifold_edges = 0;     ///< with more than two faces
+  int components = 0;             ///< connected parts of the surface
+  int loose_vertices = 0;         ///< on parts other than the main surface
+};
+
+/// The main surface of a mesh - its connected part of largest area - and the way between its
+/// vertices and those of the mesh as it was given.
+struct CleanMesh {
+  TriangleMesh mesh;              ///< connected; every vertex in a face; oriented where orientable
+  std::vector<int> input_vertex;  ///< clean vertex -> the first input vertex at its place
+  /// Input vertex -> clean vertex. A vertex off the main surface (a loose part, an unreferenced
+  /// point) has the clean vertex nearest to it, which it follows. Never -1.
+  std::vector<int> clean_vertex;
+  /// Input vertex -> distance to that clean vertex; 0 exactly on the main surface.
+  Vector offset;
+  CleaningSummary summary;
+};
+
+/// Welds vertices at the same place, drops degenerate and repeated faces, orients faces alike
+/// (outwards where the surface encloses a volume), keeps the main surface. Edges with more than two
+/// faces stay: geodesics run across them; cutNonManifold() separates them where a stage needs it.
+/// \throws InputError  no face is left.
+CleanMesh cleanMesh(const TriangleMesh& input);
+
+}  // namespace posture

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/shapes.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace posture::test {
+
+TriangleMesh grid(int columns, int rows, double width, double height) {
+  TriangleMesh mesh;
+  mesh.vertices.resize((columns + 1) * (rows + 1), 3);
+  mesh.faces.resize(2 * columns * rows, 3);
+  for (int r = 0; r <= rows; ++r)
+    for (int c = 0; c <= columns; ++c)
+      mesh.vertices.row(r * (columns + 1) + c) << width * c / columns, height * r / rows, 0.0;
+  int face = 0;
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c) {
+      const int a = r * (columns + 1) + c, b = a + 1, d = a + columns + 1, e = d + 1;
+      if ((r + c) % 2 == 0) {
+        mesh.faces.row(face++) << a, b, e;
+        mesh.faces.row(face++) << a, e, d;
+      } else {
+        mesh.faces.row(face++) << a, b, d;
+        mesh.faces.row(face++) << b, e, d;
+      }
+    }
+  return mesh;
+}
+
+TriangleMesh sphere(int levels) {
+  const double g = (1 + std::sqrt(5.0)) / 2;
+  std::vector<Eigen::Vector3d> v = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
+                                    {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
+                                    {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+  for (auto& p : v) p.normalize();
+  std::vector<Eigen::Vector3i> f = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11},
+                                    {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                    {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9},
+                                    {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<int, int>, int> middle;
+    const auto split = [&](int a, int b) {
+      const auto [entry, is_new] = middle.try_emplace(std::minmax(a, b), static_cast<int>(v.size()));
+      if (is_new) v.push_back((v[a] + v[b]).normalized());
+      return entry->second;
+    };
+    std::vector<Eigen::Vector3i> finer;
+    for (const auto& t : f) {
+      const int a = split(t[0], t[1]), b = split(t[1], t[2]), c = split(t[2], t[0]);
+      finer.insert(finer.end(), {{t[0], a, c}, {a, t[1], b}, {c, b, t[2]}, {a, b, c}});
+    }
+    f = finer;
+  }
+  TriangleMesh mesh;
+  mesh.vertices.resize(static_cast<int>(v.size()), 3);
+  mesh.faces.resize(static_cast<int>(f.size()), 3);
+  for (std::size_t i = 0; i < v.size(); ++i) mesh.vertices.row(i) = v[i];
+  for (std::size_t i = 0; i < f.size(); ++i) mesh.faces.row(i) = f[i];
+  return mesh;
+}
+
+TriangleMesh bentStrip(int columns, int rows, double length, double width, double angle) {
+  TriangleMesh mesh = grid(columns, rows, length, width);
+  if (angle == 0) return mesh;
+  const double radius = length / angle;
+  for (int i = 0; i < mesh.vertices.rows(); ++i) {
+    const double phi = mesh.vertices(i, 0) / radius;
+    mesh.vertices(i, 0) = radius * std::sin(phi);
+    mesh.vertices(i, 2) = radius * (1 - std::cos(phi));
+  }
+  return mesh;
+}
+
+}  // namespace posture::test
