@@ -11,18 +11,22 @@
 
 namespace posture {
 
-/// A stage's result as a coloured mesh or cloud that one can look at.
+/// A stage's result as a mesh or cloud that one can look at.
 struct StagePicture {
-  std::string name;    ///< e.g. "source-canonical-form"
-  TriangleMesh mesh;   ///< faces may be empty: a cloud
-  Colors colors;       ///< n x 3, or 0 x 3
+  std::string name;   ///< "source-canonical-form"
+  TriangleMesh mesh;  ///< faces may be empty: a cloud
+  /// n x 3, or 0 x 3: the place of each vertex on a surface. Equal places get equal colours.
+  Points place;
+  /// n, or 0: a number for each vertex, to be shown as a colour. Used when `place` is empty.
+  Vector value;
 };
 
 /// What a run says while it goes on.
 struct StageEvent {
   std::string_view stage;  ///< "geodesic", "embedding", ...
   double progress = 0;     ///< of the whole run, in [0, 1]
-  /// Makes this stage's pictures; empty at the start of a stage. Called by those who want them.
+  /// Makes the pictures of the stage that has just ended; empty when one begins. Only those who
+  /// want pictures pay for them.
   std::function<std::vector<StagePicture>()> pictures;
 };
 

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/dense/dense_map.h>
+#include <posture/dense/thin_plate_spline.h>
+#include <posture/matching/consistency.h>
+#include <posture/mesh/point_index.h>
+
+#include <algorithm>
+
+namespace posture {
+namespace {
+
+/// The target vertex nearest, in the embedding, to where the spline takes each source vertex.
+std::vector<int> nearestVertices(const EmbeddedShape& source,
+                                 const EmbeddedShape& target,
+                                 const ThinPlateSpline& spline) {
+  const PointIndex index(target.form.vertices);
+  const int n = static_cast<int>(source.form.vertices.rows());
+  std::vector<int> nearest(n);
+#pragma omp parallel for schedule(dynamic, 64)
+  for (int v = 0; v < n; ++v) nearest[v] = index.nearest(spline(source.form.vertices.row(v))).index;
+  return nearest;
+}
+
+/// How far each vertex's pair agrees with the kernel's matches.
+struct Agreement {
+  std::vector<int> inconsistent;  ///< n: matches whose consistency with the pair is <= c0
+  Vector mean;                    ///< n: mean consistency
+};
+
+Agreement agreement(const EmbeddedShape& source,
+                    const EmbeddedShape& target,
+                    const std::vector<Match>& matches,
+                    const std::vector<int>& target_vertex,
+                    double threshold) {
+  const int n = static_cast<int>(target_vertex.size());
+  Agreement result{std::vector<int>(n, 0), Vector::Zero(n)};
+  // Blocks of vertices keep a landmark's row of distances in cache.
+  constexpr int BLOCK = 2048;
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int begin = 0; begin < n; begin += BLOCK)
+    for (const Match& match : matches) {
+      const auto from_source = source.landmarks.distances.row(match.source);
+      const auto from_target = target.landmarks.distances.row(match.target);
+      const bool block_end = begin + BLOCK > n;
+      for (int v = begin; v < (block_end ? n : begin + BLOCK); ++v) {
+        if (v == source.landmarks.vertices[match.source]) continue;
+        const double c = lengthConsistency(from_source[v], from_target[target_vertex[v]]);
+        result.inconsistent[v] += c <= threshold;
+        result.mean[v] += c;
+      }
+    }
+  if (!matches.empty()) result.mean /= static_cast<double>(matches.size());
+  return result;
+}
+
+}  // namespace
+
+DenseMap computeDenseMap(const EmbeddedShape& source,
+                         const EmbeddedShape& target,
+                         const Candidate& candidate,
+                         const std::vector<int>& kernel,
+                         double threshold) {
+  const int n = static_cast<int>(source.mesh.vertices.rows());
+  DenseMap map{std::vector<int>(n, -1), Vector::Zero(n)};
+  if (kernel.empty()) return map;
+  std::vector<Match> matches;
+  Points from(kernel.size(), 3), to(kernel.size(), 3);
+  for (std::size_t i = 0; i < kernel.size(); ++i) {
+    matches.push_back(candidate.matches[kernel[i]]);
+    from.row(i) = source.form.landmarks.row(matches[i].source);
+    to.row(i) = target.form.landmarks.row(matches[i].target);
+  }
+  map.target_vertex = nearestVertices(source, target, ThinPlateSpline(from, to));
+  const Agreement found = agreement(source, target, matches, map.target_vertex, threshold);
+  for (int v = 0; v < n; ++v) {
+    if (found.inconsistent[v] > 0)
+      map.target_vertex[v] = -1;
+    else
+      map.confidence[v] = std::clamp((found.mean[v] - threshold) / (1 - threshold), 0.0, 1.0);
+  }
+  return map;
+}
+
+}  // namespace posture

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/geodesic/fast_marching.h>
+
+#include "unfolding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace posture {
+namespace {
+
+constexpr double INFINITE = std::numeric_limits<double>::infinity();
+
+/// A triangle (real, or unfolded across an obtuse corner) seen from one of the two vertices that
+/// the front reaches first: that vertex lies at 0, `other` at (base, 0), `target` at (x, y), y > 0.
+struct Wedge {
+  int target;
+  int other;
+  float base;
+  float x;
+  float y;
+  float side;  ///< from the vertex to `target`
+};
+
+struct QueueEntry {
+  double distance;
+  int vertex;
+
+  /// The standard heap keeps the largest on top; equal distances go by number.
+  bool operator<(const QueueEntry& that) const {
+    return distance != that.distance ? distance > that.distance : vertex > that.vertex;
+  }
+};
+
+/// A binary heap with lazy deletion: a vertex whose distance falls is pushed again.
+class Front {
+ public:
+  bool empty() const { return heap_.empty(); }
+  void push(double distance, int vertex) {
+    heap_.push_back({distance, vertex});
+    std::push_heap(heap_.begin(), heap_.end());
+  }
+  QueueEntry pop() {
+    std::pop_heap(heap_.begin(), heap_.end());
+    const QueueEntry top = heap_.back();
+    heap_.pop_back();
+    return top;
+  }
+
+ private:
+  std::vector<QueueEntry> heap_;
+};
+
+}  // namespace
+
+struct FastMarching::Graph {
+  std::vector<int> first_wedge;  // n + 1 offsets into wedges, by the vertex the front comes from
+  std::vector<Wedge> wedges;
+
+  int vertexCount() const { return static_cast<int>(first_wedge.size()) - 1; }
+  void checkVertex(int v) const {
+    require(v >= 0 && v < vertexCount(), "FastMarching: no vertex " + std::to_string(v));
+  }
+
+  /// Runs the front from `source`; `accept(vertex, distance)` says whether the front goes on there,
+  /// `stop()` whether all is done.
+  template <class Accept, class Stop>
+  void run(int source, GeodesicField& field, Accept accept, Stop stop) const;
+  void propagate(int v, GeodesicField& field, const std::vector<char>& done, Front& front) const;
+};
+
+void FastMarching::Graph::propagate(int v,
+                                    GeodesicField& field,
+                                    const std::vector<char>& done,
+                                    Front& front) const {
+  const double da = field.distance[v];
+  for (int i = first_wedge[v]; i < first_wedge[v + 1]; ++i) {
+    const Wedge& w = wedges[i];
+    if (done[w.target]) continue;
+    double distance = da + w.side;
+    int through = v;
+    if (done[w.other]) {
+      // The virtual source at (sx, -depth): at distance da from 0 and db from (base, 0).
+      const double db = field.distance[w.other];
+      const double sx = (da * da - db * db + double{w.base} * w.base) / (2 * double{w.base});
+      const double depth_sq = da * da - sx * sx;
+      if (depth_sq >= 0) {
+        const double depth = std::sqrt(depth_sq), rise = w.y + depth;
+        const double crossing = sx + (w.x - sx) * depth / rise;
+        if (crossing >= 0 && crossing <= w.base) {
+          distance = std::sqrt((w.x - sx) * (w.x - sx) + rise * rise);
+          if (crossing > w.base / 2) through = w.other;
+        }
+      }
+    }
+    if (distance < field.distance[w.target]) {
+      field.distance[w.target] = distance;
+      field.predecessor[w.target] = through;
+      front.push(distance, w.target);
+    }
+  }
+}
+
+template <class Accept, class Stop>
+void FastMarching::Graph::run(int source, GeodesicField& field, Accept accept, Stop stop) const {
+  const int n = vertexCount();
+  field.distance.assign(n, INFINITE);
+  field.predecessor.assign(n, -1);
+  field.order.clear();
+  std::vector<char> done(n, 0);
+  Front front;
+  field.distance[source] = 0;
+  front.push(0, source);
+  while (!front.empty() && !stop()) {
+    const QueueEntry top = front.pop();
+    if (done[top.vertex]) continue;
+    if (!accept(top.vertex, top.distance)) {
+      // Not passed on: its neighbours must not lean on it either.
+      field.distance[top.vertex] = -1;
+      continue;
+    }
+    done[top.vertex] = 1;
+    field.order.push_back(top.vertex);
+    propagate(top.vertex, field, done, front);
+  }
+  // What the front touched but did not reach is no distance yet.
+  while (!front.empty()) {
+    const QueueEntry rest = front.pop();
+    if (!done[rest.vertex]) field.distance[rest.vertex] = INFINITE;
+  }
+}
+
+FastMarching::FastMarching(const TriangleMesh& mesh) {
+  const int n = static_cast<int>(mesh.vertices.rows());
+  const std::vector<UnfoldedTriangle> triangles = unfoldedTriangles(mesh);
+  auto graph = std::make_unique<Graph>();
+  graph->first_wedge.assign(n + 1, 0);
+  for (const UnfoldedTriangle& t : triangles) {
+    ++graph->first_wedge[t.left + 1];
+    ++graph->first_wedge[t.right + 1];
+  }
+  for (int v = 0; v < n; ++v) graph->first_wedge[v + 1] += graph->first_wedge[v];
+  graph->wedges.resize(2 * triangles.size());
+  std::vector<int> next(graph->first_wedge.begin(), graph->first_wedge.end() - 1);
+  const auto add = [&](int from, int target, int other, double base, double x, double y) {
+    graph->wedges[next[from]++] = {target,
+                                   other,
+                                   static_cast<float>(base),
+                                   static_cast<float>(x),
+                                   static_cast<float>(y),
+                                   static_cast<float>(std::hypot(x, y))};
+  };
+  for (const UnfoldedTriangle& t : triangles) {
+    add(t.left, t.apex, t.right, t.base, t.x, t.y);
+    add(t.right, t.apex, t.left, t.base, t.base - t.x, t.y);
+  }
+  graph_ = std::move(graph);
+}
+
+FastMarching::~FastMarching() = default;
+FastMarching::FastMarching(FastMarching&&) noexcept = default;
+FastMarching& FastMarching::operator=(FastMarching&&) noexcept = default;
+
+int FastMarching::vertexCount() const { return graph_->vertexCount(); }
+
+void FastMarching::march(int source, GeodesicField& field) const {
+  graph_->checkVertex(source);
+  graph_->run(
+      source, field, [](int, double) { return true; }, [] { return false; });
+}
+
+void FastMarching::marchUntil(int source,
+                              const std::vector<int>& goals,
+                              GeodesicField& field) const {
+  graph_->checkVertex(source);
+  std::vector<char> is_goal(vertexCount(), 0);
+  int open = 0;
+  for (int goal : goals) {
+    graph_->checkVertex(goal);
+    open += !is_goal[goal];
+    is_goal[goal] = 1;
+  }
+  graph_->run(
+      source,
+      field,
+      [&](int v, double) {
+        open -= is_goal[v];
+        return true;
+      },
+      [&] { return open == 0; });
+}
+
+void FastMarching::marchWithin(int source,
+                               int label,
+                               std::vector<double>& distance,
+                               std::vector<int>& nearest) const {
+  graph_->checkVertex(source);
+  GeodesicField field;
+  graph_->run(
+      source,
+      field,
+      [&](int v, double reached) {
+        if (!(reached < distance[v])) return false;
+        distance[v] = reached;
+        nearest[v] = label;
+        return true;
+      },
+      [] { return false; });
+}
+
+}  // namespace posture

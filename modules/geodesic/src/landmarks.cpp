@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/geodesic/landmarks.h>
+#include <posture/mesh/edges.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace posture {
+namespace {
+
+int farthestFromCentroid(const TriangleMesh& mesh, const std::vector<int>& face_of) {
+  const Eigen::RowVector3d centroid = mesh.vertices.colwise().mean();
+  int farthest = -1;
+  double most = -1;
+  for (int v = 0; v < mesh.vertices.rows(); ++v) {
+    if (face_of[v] < 0) continue;
+    const double distance = (mesh.vertices.row(v) - centroid).squaredNorm();
+    if (distance > most) {
+      most = distance;
+      farthest = v;
+    }
+  }
+  return farthest;
+}
+
+/// For each vertex, the vertices it is joined to by a boundary edge.
+class BoundaryEdges {
+ public:
+  explicit BoundaryEdges(const TriangleMesh& mesh) : joined_(mesh.vertices.rows()) {
+    for (const Edge& e : meshEdges(mesh.faces))
+      if (e.faces == 1) {
+        joined_[e.first].push_back(e.second);
+        joined_[e.second].push_back(e.first);
+      }
+  }
+
+  bool contains(int a, int b) const {
+    return std::find(joined_[a].begin(), joined_[a].end(), b) != joined_[a].end();
+  }
+
+ private:
+  std::vector<std::vector<int>> joined_;
+};
+
+/// 1 - m_h / m along the way back to the source, for every vertex reached.
+void pathConfidence(const GeodesicField& field, const BoundaryEdges& boundary,
+                    std::vector<int>& edges, std::vector<int>& hole_edges) {
+  for (int v : field.order) {
+    const int from = field.predecessor[v];
+    edges[v] = from < 0 ? 0 : edges[from] + 1;
+    hole_edges[v] = from < 0 ? 0 : hole_edges[from] + boundary.contains(from, v);
+  }
+}
+
+}  // namespace
+
+Landmarks voronoiSamples(const TriangleMesh& mesh, const FastMarching& marching, int most) {
+  require(mesh.faces.rows() > 0, "voronoiSamples: the mesh has no faces");
+  const int n = static_cast<int>(mesh.vertices.rows());
+  const std::vector<int> face_of = vertexFaces(mesh.faces, n);
+  const double spacing = meanEdgeLength(mesh);
+  Landmarks landmarks;
+  landmarks.nearest.assign(n, -1);
+  std::vector<double> distance(n, std::numeric_limits<double>::infinity());
+  int next = farthestFromCentroid(mesh, face_of);
+  while (true) {
+    const int label = static_cast<int>(landmarks.vertices.size());
+    landmarks.vertices.push_back(next);
+    marching.marchWithin(next, label, distance, landmarks.nearest);
+    double farthest = -1;
+    for (int v = 0; v < n; ++v)
+      if (face_of[v] >= 0 && distance[v] > farthest) {
+        farthest = distance[v];
+        next = v;
+      }
+    landmarks.covering_radius = farthest;
+    if (farthest <= spacing || label + 1 >= most) return landmarks;
+  }
+}
+
+Landmarks computeLandmarks(const TriangleMesh& mesh, const FastMarching& marching) {
+  Landmarks landmarks = voronoiSamples(mesh, marching);
+  const int s = static_cast<int>(landmarks.vertices.size());
+  const int n = static_cast<int>(mesh.vertices.rows());
+  landmarks.distances.resize(s, n);
+  landmarks.confidence.resize(s, s);
+  const BoundaryEdges boundary(mesh);
+#pragma omp parallel
+  {
+    GeodesicField field;
+    std::vector<int> edges(n, 0), hole_edges(n, 0);
+#pragma omp for schedule(dynamic, 8)
+    for (int i = 0; i < s; ++i) {
+      marching.march(landmarks.vertices[i], field);
+      for (int v = 0; v < n; ++v) landmarks.distances(i, v) = static_cast<float>(field.distance[v]);
+      pathConfidence(field, boundary, edges, hole_edges);
+      for (int j = 0; j < s; ++j) {
+        const int v = landmarks.vertices[j];
+        landmarks.confidence(i, j) =
+            edges[v] == 0 ? 1.0f : 1.0f - static_cast<float>(hole_edges[v]) / edges[v];
+      }
+    }
+  }
+  landmarks.confidence = (0.5f * (landmarks.confidence + landmarks.confidence.transpose())).eval();
+  return landmarks;
+}
+
+Matrix sampleDistances(const Landmarks& landmarks) {
+  const int s = static_cast<int>(landmarks.vertices.size());
+  Matrix distances(s, s);
+  for (int i = 0; i < s; ++i)
+    for (int j = 0; j < s; ++j)
+      distances(i, j) = 0.5 * (static_cast<double>(landmarks.distances(i, landmarks.vertices[j])) +
+                               landmarks.distances(j, landmarks.vertices[i]));
+  return distances;
+}
+
+}  // namespace posture

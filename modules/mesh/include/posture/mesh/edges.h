@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/core/types.h>
+
+#include <vector>
+
+namespace posture {
+
+/// An undirected edge of a triangle mesh, first < second.
+struct Edge {
+  int first;
+  int second;
+  int faces;  ///< how many faces share it: 1 at a boundary, more than 2 where not manifold
+};
+
+/// All edges, sorted by (first, second).
+std::vector<Edge> meshEdges(const Faces& faces);
+
+double meanEdgeLength(const TriangleMesh& mesh);
+
+/// m areas, in squared mesh units.
+Vector faceAreas(const TriangleMesh& mesh);
+
+/// For each vertex a face it is a corner of; -1 for a vertex in no face.
+std::vector<int> vertexFaces(const Faces& faces, int vertex_count);
+
+}  // namespace posture

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/core/types.h>
+
+#include <memory>
+
+namespace posture {
+
+/// Nearest neighbours in space (PCL's kd-tree). Coordinates are centred first: PCL computes in
+/// single precision, and scans in map coordinates lie far from the origin.
+class PointIndex {
+ public:
+  struct Neighbor {
+    int index;
+    double distance;  ///< in the unit of the points, not squared
+  };
+
+  /// \throws std::invalid_argument  no points.
+  explicit PointIndex(const Points& points);
+  ~PointIndex();
+  PointIndex(PointIndex&&) noexcept;
+  PointIndex& operator=(PointIndex&&) noexcept;
+
+  /// May be called from several threads.
+  Neighbor nearest(const Eigen::Vector3d& query) const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<const Tree> tree_;
+};
+
+}  // namespace posture

@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/mesh/clean_mesh.h>
+#include <posture/mesh/edges.h>
+#include <posture/mesh/point_index.h>
+
+#include <boost/container_hash/hash.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+namespace posture {
+namespace {
+
+/// Input vertex -> the first input vertex at the same place.
+std::vector<int> weld(const Points& vertices) {
+  using Place = std::array<double, 3>;
+  std::unordered_map<Place, int, boost::hash<Place>> first_at;
+  first_at.reserve(vertices.rows());
+  std::vector<int> representative(vertices.rows());
+  for (int v = 0; v < vertices.rows(); ++v) {
+    // Adding zero turns -0 into +0.
+    const Place place{vertices(v, 0) + 0.0, vertices(v, 1) + 0.0, vertices(v, 2) + 0.0};
+    representative[v] = first_at.try_emplace(place, v).first->second;
+  }
+  return representative;
+}
+
+std::vector<Eigen::Vector3i> usableFaces(const Faces& faces,
+                                         const std::vector<int>& representative,
+                                         CleaningSummary& summary) {
+  std::vector<Eigen::Vector3i> usable;
+  std::set<std::array<int, 3>> seen;
+  for (int f = 0; f < faces.rows(); ++f) {
+    const Eigen::Vector3i t(representative[faces(f, 0)],
+                            representative[faces(f, 1)],
+                            representative[faces(f, 2)]);
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+      ++summary.degenerate_faces;
+      continue;
+    }
+    std::array<int, 3> corners{t[0], t[1], t[2]};
+    std::sort(corners.begin(), corners.end());
+    if (seen.insert(corners).second)
+      usable.push_back(t);
+    else
+      ++summary.repeated_faces;
+  }
+  return usable;
+}
+
+Faces toFaces(const std::vector<Eigen::Vector3i>& triangles) {
+  Faces faces(triangles.size(), 3);
+  for (std::size_t f = 0; f < triangles.size(); ++f) faces.row(f) = triangles[f];
+  return faces;
+}
+
+/// Face -> component, and the component of largest area.
+std::pair<std::vector<int>, int> components(const TriangleMesh& mesh, CleaningSummary& summary) {
+  const int n = static_cast<int>(mesh.vertices.rows());
+  std::vector<int> rank(n), parent(n);
+  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
+  for (int v = 0; v < n; ++v) sets.make_set(v);
+  for (int f = 0; f < mesh.faces.rows(); ++f) {
+    sets.union_set(mesh.faces(f, 0), mesh.faces(f, 1));
+    sets.union_set(mesh.faces(f, 0), mesh.faces(f, 2));
+  }
+  const Vector areas = faceAreas(mesh);
+  std::vector<int> component(mesh.faces.rows());
+  std::map<int, double> area_of;
+  for (int f = 0; f < mesh.faces.rows(); ++f) {
+    component[f] = sets.find_set(mesh.faces(f, 0));
+    area_of[component[f]] += areas[f];
+  }
+  summary.components = static_cast<int>(area_of.size());
+  const auto largest =
+      std::max_element(area_of.begin(), area_of.end(), [](const auto& a, const auto& b) {
+        return a.second < b.second;
+      });
+  return {component, largest->first};
+}
+
+/// The faces beyond each side of each face, across edges of exactly two faces; -1 elsewhere.
+Faces manifoldNeighbors(const Faces& faces) {
+  struct Side {
+    int a, b, face, side;
+  };
+  std::vector<Side> sides;
+  sides.reserve(3 * faces.rows());
+  for (int f = 0; f < faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(faces(f, k), faces(f, (k + 1) % 3));
+      sides.push_back({a, b, f, k});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+    return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face);
+  });
+  Faces neighbors = Faces::Constant(faces.rows(), 3, -1);
+  for (std::size_t i = 0, j; i < sides.size(); i = j) {
+    for (j = i; j < sides.size() && sides[j].a == sides[i].a && sides[j].b == sides[i].b;) ++j;
+    if (j - i != 2) continue;
+    neighbors(sides[i].face, sides[i].side) = sides[i + 1].face;
+    neighbors(sides[i + 1].face, sides[i + 1].side) = sides[i].face;
+  }
+  return neighbors;
+}
+
+bool hasDirectedEdge(const Faces& faces, int face, int from, int to) {
+  for (int k = 0; k < 3; ++k)
+    if (faces(face, k) == from && faces(face, (k + 1) % 3) == to) return true;
+  return false;
+}
+
+double signedVolume(const TriangleMesh& mesh, const std::vector<int>& patch) {
+  const Eigen::Vector3d origin = mesh.vertices.row(mesh.faces(patch[0], 0));
+  double volume = 0;
+  for (int f : patch) {
+    const Eigen::Vector3d a = mesh.vertices.row(mesh.faces(f, 0)).transpose() - origin;
+    const Eigen::Vector3d b = mesh.vertices.row(mesh.faces(f, 1)).transpose() - origin;
+    const Eigen::Vector3d c = mesh.vertices.row(mesh.faces(f, 2)).transpose() - origin;
+    volume += a.dot(b.cross(c)) / 6;
+  }
+  return volume;
+}
+
+/// Turns the faces of each patch alike: outwards where the patch is closed, otherwise the way most
+/// of its area already faces.
+int orient(TriangleMesh& mesh) {
+  const Faces given = mesh.faces;
+  const Faces neighbors = manifoldNeighbors(given);
+  const Vector areas = faceAreas(mesh);
+  std::vector<char> visited(given.rows(), 0);
+  for (int seed = 0; seed < given.rows(); ++seed) {
+    if (visited[seed]) continue;
+    visited[seed] = 1;
+    std::vector<int> patch{seed};
+    bool closed = true;
+    double agreeing = 0;
+    for (std::size_t next = 0; next < patch.size(); ++next) {
+      const int f = patch[next];
+      agreeing += mesh.faces.row(f) == given.row(f) ? areas[f] : -areas[f];
+      for (int k = 0; k < 3; ++k) {
+        const int g = neighbors(f, k);
+        closed = closed && g >= 0;
+        if (g < 0 || visited[g]) continue;
+        visited[g] = 1;
+        const int a = given(f, k), b = given(f, (k + 1) % 3);
+        const bool f_runs_ab = hasDirectedEdge(mesh.faces, f, a, b);
+        if (hasDirectedEdge(mesh.faces, g, a, b) == f_runs_ab)
+          std::swap(mesh.faces(g, 1), mesh.faces(g, 2));
+        patch.push_back(g);
+      }
+    }
+    if (closed ? signedVolume(mesh, patch) < 0 : agreeing < 0)
+      for (int f : patch) std::swap(mesh.faces(f, 1), mesh.faces(f, 2));
+  }
+  int flipped = 0;
+  for (int f = 0; f < given.rows(); ++f) flipped += mesh.faces.row(f) != given.row(f);
+  return flipped;
+}
+
+/// Input vertices that are no corner of the main surface follow the clean vertex nearest to them.
+void attachLooseVertices(const Points& vertices, CleanMesh& clean) {
+  const bool any_loose =
+      std::count(clean.clean_vertex.begin(), clean.clean_vertex.end(), -1) > 0;
+  if (!any_loose) return;
+  const PointIndex index(clean.mesh.vertices);
+  for (int v = 0; v < vertices.rows(); ++v) {
+    if (clean.clean_vertex[v] >= 0) continue;
+    const auto nearest = index.nearest(vertices.row(v));
+    clean.clean_vertex[v] = nearest.index;
+    clean.offset[v] = nearest.distance;
+  }
+}
+
+}  // namespace
+
+CleanMesh cleanMesh(const TriangleMesh& input) {
+  const int n = static_cast<int>(input.vertices.rows());
+  if (input.faces.rows() == 0) throw InputError("has no faces");
+  CleanMesh clean;
+  CleaningSummary& summary = clean.summary;
+  const std::vector<int> representative = weld(input.vertices);
+  for (int v = 0; v < n; ++v) summary.welded_vertices += representative[v] != v;
+
+  TriangleMesh welded{input.vertices, toFaces(usableFaces(input.faces, representative, summary))};
+  if (welded.faces.rows() == 0) throw InputError("has no face with three different corners");
+  std::vector<char> referenced(n, 0);
+  for (int i = 0; i < input.faces.size(); ++i) referenced[input.faces.data()[i]] = 1;
+  summary.unreferenced_vertices =
+      static_cast<int>(std::count(referenced.begin(), referenced.end(), 0));
+
+  const auto [component, main_component] = components(welded, summary);
+  clean.clean_vertex.assign(n, -1);
+  clean.offset = Vector::Zero(n);
+  std::vector<Eigen::Vector3i> faces;
+  for (int f = 0; f < welded.faces.rows(); ++f)
+    if (component[f] == main_component) faces.emplace_back(welded.faces.row(f));
+  // Numbered in the order of the input.
+  for (const auto& t : faces)
+    for (int k = 0; k < 3; ++k) clean.clean_vertex[t[k]] = 0;
+  for (int v = 0; v < n; ++v)
+    if (clean.clean_vertex[v] == 0) {
+      clean.clean_vertex[v] = static_cast<int>(clean.input_vertex.size());
+      clean.input_vertex.push_back(v);
+    }
+  for (int v = 0; v < n; ++v) clean.clean_vertex[v] = clean.clean_vertex[representative[v]];
+  for (auto& t : faces)
+    for (int k = 0; k < 3; ++k) t[k] = clean.clean_vertex[t[k]];
+  for (int v = 0; v < n; ++v)
+    summary.loose_vertices += referenced[v] != 0 && clean.clean_vertex[v] < 0;
+
+  clean.mesh.faces = toFaces(faces);
+  clean.mesh.vertices.resize(clean.input_vertex.size(), 3);
+  for (std::size_t v = 0; v < clean.input_vertex.size(); ++v)
+    clean.mesh.vertices.row(v) = input.vertices.row(clean.input_vertex[v]);
+  summary.flipped_faces = orient(clean.mesh);
+  for (const Edge& e : meshEdges(clean.mesh.faces)) summary.non_manifold_edges += e.faces > 2;
+  attachLooseVertices(input.vertices, clean);
+  return clean;
+}
+
+}  // namespace posture

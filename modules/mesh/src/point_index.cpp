@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/mesh/point_index.h>
+
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_types.h>
+
+#include <cmath>
+#include <vector>
+
+namespace posture {
+
+struct PointIndex::Tree {
+  Eigen::Vector3d center;
+  pcl::KdTreeFLANN<pcl::PointXYZ> kdtree;
+
+  pcl::PointXYZ local(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3f p = (point - center).cast<float>();
+    return {p.x(), p.y(), p.z()};
+  }
+};
+
+PointIndex::PointIndex(const Points& points) {
+  require(points.rows() > 0, "PointIndex: no points");
+  auto tree = std::make_unique<Tree>();
+  tree->center = points.colwise().mean();
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  cloud->reserve(points.rows());
+  for (int i = 0; i < points.rows(); ++i) cloud->push_back(tree->local(points.row(i)));
+  tree->kdtree.setInputCloud(cloud);
+  tree_ = std::move(tree);
+}
+
+PointIndex::~PointIndex() = default;
+PointIndex::PointIndex(PointIndex&&) noexcept = default;
+PointIndex& PointIndex::operator=(PointIndex&&) noexcept = default;
+
+PointIndex::Neighbor PointIndex::nearest(const Eigen::Vector3d& query) const {
+  std::vector<int> index(1, -1);
+  std::vector<float> distance_sq(1, 0);
+  tree_->kdtree.nearestKSearch(tree_->local(query), 1, index, distance_sq);
+  return {index[0], std::sqrt(static_cast<double>(distance_sq[0]))};
+}
+
+}  // namespace posture
