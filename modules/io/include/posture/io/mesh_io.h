@@ -16,10 +16,11 @@ struct MeshFile {
 };
 
 /// Reads PLY (ASCII, binary of either endianness), OBJ, OFF (COFF, NOFF, CNOFF; ASCII), STL (ASCII
-/// and binary; three vertices a facet, as stored) or legacy VTK polydata (ASCII and binary). The
-/// format is told by the content where it has a signature, by the file's ending otherwise.
+/// and binary; three vertices a facet, as stored) or legacy VTK (polydata and unstructured grids of
+/// polygons, ASCII and binary; positions and faces only). The format is told by the content where
+/// it has a signature, by the file's ending otherwise. A file with vertices alone has 0 faces.
 /// \throws InputError  one line "<path>: <what is wrong>": missing, empty, truncated, not a mesh,
-///         a number that is not finite, a face index out of range.
+///         no vertices, a number that is not finite, a face index out of range.
 MeshFile readMesh(const std::filesystem::path& path);
 
 /// Writes PLY (binary little endian), OBJ or OFF by the path's ending; whole or not at all.

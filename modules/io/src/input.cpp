@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "input.h"
+
+#include <posture/core/error.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+namespace posture {
+namespace fs = std::filesystem;
+
+Input::Input(const fs::path& path) : path_(path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) fail("no such file");
+  if (fs::is_directory(status)) fail("is a folder, not a file");
+  if (!fs::is_regular_file(status)) fail(error ? error.message() : "not a regular file");
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) fail("cannot be opened: " + std::generic_category().message(errno));
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error) fail(error.message());
+  if (size == 0) fail("the file is empty");
+  try {
+    bytes_.resize(size);
+  } catch (const std::length_error&) {
+    fail("too large for this machine's memory");
+  } catch (const std::bad_alloc&) {
+    fail("too large for this machine's memory");
+  }
+  stream.read(bytes_.data(), static_cast<std::streamsize>(size));
+  if (static_cast<std::uintmax_t>(stream.gcount()) != size) fail("cannot be read to its end");
+}
+
+void Input::fail(const std::string& what) const { failAt(no_offset, what); }
+
+void Input::failAt(std::size_t offset, const std::string& what) const {
+  std::string message = onOneLine(path_.string()) + ": ";
+  if (offset != no_offset) {
+    const auto end = bytes_.begin() + static_cast<std::ptrdiff_t>(std::min(offset, bytes_.size()));
+    message += "line " + std::to_string(1 + std::count(bytes_.begin(), end, '\n')) + ": ";
+  }
+  throw InputError(message + what);
+}
+
+std::string onOneLine(std::string_view text) {
+  std::string line(text);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return line;
+}
+
+std::string inQuotes(std::string_view word) {
+  constexpr std::size_t longest = 24;
+  std::string text = onOneLine(word.substr(0, longest));
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) >= 0x80) c = '?';
+  return "'" + text + (word.size() > longest ? "...'" : "'");
+}
+
+}  // namespace posture

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace posture {
+namespace {
+
+constexpr std::int64_t most_numbers = std::numeric_limits<int>::max();
+
+bool allFinite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+std::uint8_t toByte(double value) {
+  return std::isfinite(value) ? static_cast<std::uint8_t>(std::lround(std::clamp(value, 0., 255.)))
+                              : std::uint8_t{0};
+}
+
+Points toPoints(const std::vector<double>& values) {
+  return Eigen::Map<const Points>(values.data(), static_cast<Eigen::Index>(values.size() / 3), 3);
+}
+
+}  // namespace
+
+void MeshBuilder::reserve(std::size_t vertices, std::size_t faces) {
+  coordinates_.reserve(3 * vertices);
+  corners_.reserve(3 * faces);
+}
+
+void MeshBuilder::addVertex(double x, double y, double z) {
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+    input_.failAt(offset_,
+                  "vertex " + std::to_string(vertexCount() + index_base_) +
+                      " has a coordinate that is not finite");
+  coordinates_.insert(coordinates_.end(), {x, y, z});
+}
+
+void MeshBuilder::checkCorner(std::int64_t corner) {
+  if (corner < 0 || corner >= most_numbers)
+    input_.failAt(offset_, "face index " + std::to_string(corner) + " is out of range");
+  if (corner > highest_corner_) {
+    highest_corner_ = corner;
+    highest_corner_offset_ = offset_;
+  }
+}
+
+void MeshBuilder::addTriangle(std::int64_t a, std::int64_t b, std::int64_t c) {
+  corners_.insert(corners_.end(), {static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)});
+}
+
+void MeshBuilder::addPolygon(const std::vector<std::int64_t>& corners) {
+  for (const std::int64_t corner : corners) checkCorner(corner);
+  for (std::size_t i = 2; i < corners.size(); ++i)
+    addTriangle(corners[0], corners[i - 1], corners[i]);
+}
+
+void MeshBuilder::addStrip(const std::vector<std::int64_t>& corners) {
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (corners[i] == -1) {
+      begin = i + 1;
+      continue;
+    }
+    checkCorner(corners[i]);
+    if (i < begin + 2) continue;
+    const bool odd = (i - begin) % 2 == 1;
+    addTriangle(corners[odd ? i - 1 : i - 2], corners[odd ? i - 2 : i - 1], corners[i]);
+  }
+}
+
+void MeshBuilder::checkHighestCorner() const {
+  if (highest_corner_ < static_cast<std::int64_t>(vertexCount())) return;
+  input_.failAt(highest_corner_offset_,
+                "face index " + std::to_string(highest_corner_ + index_base_) +
+                    " is out of range, the file has " + std::to_string(vertexCount()) +
+                    " vertices");
+}
+
+MeshFile MeshBuilder::finish(ColorRange range) {
+  if (coordinates_.empty()) input_.fail("there are no vertices in it");
+  if (std::max(coordinates_.size(), corners_.size()) / 3 >= static_cast<std::size_t>(most_numbers))
+    input_.fail("more vertices or faces than can be numbered");
+  checkHighestCorner();
+  MeshFile file;
+  file.mesh.vertices = toPoints(coordinates_);
+  file.mesh.faces =
+      Eigen::Map<const Faces>(corners_.data(), static_cast<Eigen::Index>(corners_.size() / 3), 3);
+  if (normals_.size() == coordinates_.size() && allFinite(normals_))
+    file.normals = toPoints(normals_);
+  if (colors_.size() == coordinates_.size()) {
+    const double largest = *std::max_element(colors_.begin(), colors_.end());
+    const double scale = range == ColorRange::UNIT && largest <= 1 ? 255 : 1;
+    file.colors.resize(file.mesh.vertices.rows(), 3);
+    std::transform(colors_.begin(), colors_.end(), file.colors.data(), [scale](double value) {
+      return toByte(scale * value);
+    });
+  }
+  return file;
+}
+
+}  // namespace posture

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/embedding/canonical_form.h>
+#include <posture/mesh/edges.h>
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+namespace posture {
+namespace {
+
+CanonicalForm formOf(const TriangleMesh& mesh) {
+  return computeCanonicalForm(computeLandmarks(mesh, FastMarching(mesh)));
+}
+
+Vector pairwise(const Points& points) {
+  Vector distances(points.rows() * points.rows());
+  for (int i = 0; i < points.rows(); ++i)
+    distances.segment(i * points.rows(), points.rows()) =
+        (points.rowwise() - points.row(i)).rowwise().norm();
+  return distances;
+}
+
+TEST(CanonicalForm, flattensABentStripBackIntoThePlane) {
+  const TriangleMesh flat = test::grid(30, 8, 4, 1), bent = test::bentStrip(30, 8, 4, 1, 2.5);
+  const CanonicalForm form = formOf(bent);
+  EXPECT_LT(form.stress, 0.005);
+  // Every vertex, sample or projected, keeps its distances to all others.
+  const Vector expected = pairwise(flat.vertices), found = pairwise(form.vertices);
+  EXPECT_LT((expected - found).cwiseAbs().maxCoeff(), 0.5 * meanEdgeLength(flat));
+  EXPECT_LT((expected - found).cwiseAbs().mean(), 0.05 * meanEdgeLength(flat));
+}
+
+TEST(CanonicalForm, doesNotChangeWithTheBend) {
+  const Vector gentle = formOf(test::bentStrip(30, 8, 4, 1, 0.5)).eigenvalues;
+  const Vector sharp = formOf(test::bentStrip(30, 8, 4, 1, 3.0)).eigenvalues;
+  EXPECT_NEAR(sharp[0], gentle[0], 0.01 * gentle[0]);
+  EXPECT_NEAR(sharp[1], gentle[1], 0.01 * gentle[0]);
+}
+
+TEST(CanonicalForm, liesInItsPrincipalFrame) {
+  const CanonicalForm form = formOf(test::bentStrip(30, 8, 4, 1, 2.0));
+  const double count = static_cast<double>(form.landmarks.rows());
+  EXPECT_LT(form.landmarks.colwise().mean().norm(), 1e-9);
+  const Eigen::Matrix3d covariance = form.landmarks.transpose() * form.landmarks / count;
+  EXPECT_LT((covariance - Eigen::Matrix3d(form.eigenvalues.asDiagonal())).norm(), 1e-9);
+  EXPECT_GE(form.eigenvalues[0], form.eigenvalues[1]);
+  EXPECT_GE(form.eigenvalues[1], form.eigenvalues[2]);
+}
+
+}  // namespace
+}  // namespace posture

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/geodesic/landmarks.h>
+#include <posture/mesh/edges.h>
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+#include <algorithm>
+#include <set>
+
+namespace posture {
+namespace {
+
+TEST(VoronoiSamples, coverTheSurfaceAndKeepApart) {
+  const TriangleMesh sphere = test::sphere(4);
+  const FastMarching marching(sphere);
+  for (int most : {10, 100}) {
+    const Landmarks landmarks = voronoiSamples(sphere, marching, most);
+    ASSERT_EQ(landmarks.vertices.size(), most);
+    std::vector<double> nearest(sphere.vertices.rows(), 1e9);
+    double closest_pair = 1e9;
+    GeodesicField field;
+    for (int i = 0; i < most; ++i) {
+      marching.march(landmarks.vertices[i], field);
+      for (int v = 0; v < sphere.vertices.rows(); ++v)
+        nearest[v] = std::min(nearest[v], field.distance[v]);
+      for (int j = 0; j < i; ++j)
+        closest_pair = std::min(closest_pair, field.distance[landmarks.vertices[j]]);
+    }
+    // Farthest-point sampling keeps samples as far apart as its covering radius. The bounded march
+    // may miss a detour of the full one by a fraction of an edge.
+    const double slack = 0.2 * meanEdgeLength(sphere);
+    EXPECT_NEAR(*std::max_element(nearest.begin(), nearest.end()), landmarks.covering_radius, slack);
+    EXPECT_GE(closest_pair, landmarks.covering_radius - slack);
+  }
+}
+
+TEST(VoronoiSamples, stopAtTheResolutionOfTheMesh) {
+  const TriangleMesh sphere = test::sphere(3);
+  const Landmarks landmarks = voronoiSamples(sphere, FastMarching(sphere));
+  EXPECT_LE(landmarks.covering_radius, meanEdgeLength(sphere));
+  EXPECT_LT(landmarks.vertices.size(), sphere.vertices.rows());
+  const std::set<int> distinct(landmarks.vertices.begin(), landmarks.vertices.end());
+  EXPECT_EQ(distinct.size(), landmarks.vertices.size());
+}
+
+TEST(VoronoiSamples, eachVertexKnowsTheSampleNearestToIt) {
+  const TriangleMesh sphere = test::sphere(3);
+  const Landmarks landmarks = computeLandmarks(sphere, FastMarching(sphere));
+  for (int v = 0; v < sphere.vertices.rows(); ++v) {
+    const float least = landmarks.distances.col(v).minCoeff();
+    EXPECT_NEAR(landmarks.distances(landmarks.nearest[v], v), least, 0.2 * meanEdgeLength(sphere));
+  }
+}
+
+TEST(Landmarks, distancesAreNearlySymmetric) {
+  const TriangleMesh sphere = test::sphere(3);
+  const Landmarks landmarks = computeLandmarks(sphere, FastMarching(sphere));
+  const Matrix mean = sampleDistances(landmarks);
+  EXPECT_EQ((mean - mean.transpose()).norm(), 0);
+  for (int i = 0; i < mean.rows(); ++i)
+    for (int j = 0; j < mean.cols(); ++j)
+      EXPECT_NEAR(mean(i, j),
+                  landmarks.distances(i, landmarks.vertices[j]),
+                  0.1 * meanEdgeLength(sphere));
+}
+
+TEST(Landmarks, pathsOnAClosedSurfaceAreTrusted) {
+  const TriangleMesh sphere = test::sphere(3);
+  const Landmarks landmarks = computeLandmarks(sphere, FastMarching(sphere));
+  EXPECT_EQ(landmarks.confidence.minCoeff(), 1.0f);
+}
+
+TEST(Landmarks, pathsRoundAHoleAreTrustedByTheirShareOfItsRim) {
+  // A long strip with a square hole in the middle: only what passes the hole runs along its rim.
+  TriangleMesh strip = test::grid(60, 12, 5, 1);
+  Faces kept(strip.faces.rows(), 3);
+  int count = 0;
+  for (int f = 0; f < strip.faces.rows(); ++f) {
+    const double x = strip.vertices(strip.faces(f, 0), 0), y = strip.vertices(strip.faces(f, 0), 1);
+    const double x2 = strip.vertices(strip.faces(f, 2), 0);
+    const bool in_hole = std::min(x, x2) > 2.2 && std::max(x, x2) < 2.8 && y > 0.2 && y < 0.8;
+    if (!in_hole) kept.row(count++) = strip.faces.row(f);
+  }
+  strip.faces = kept.topRows(count);
+  const Landmarks landmarks = computeLandmarks(strip, FastMarching(strip));
+  double across = 0, beside = 0;
+  int across_count = 0, beside_count = 0;
+  for (std::size_t i = 0; i < landmarks.vertices.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Eigen::RowVector3d p = strip.vertices.row(landmarks.vertices[i]);
+      const Eigen::RowVector3d q = strip.vertices.row(landmarks.vertices[j]);
+      const bool inner = std::abs(p.y() - 0.5) < 0.3 && std::abs(q.y() - 0.5) < 0.3;
+      if (!inner) continue;
+      const float w = landmarks.confidence(i, j);
+      EXPECT_GE(w, 0);
+      EXPECT_LE(w, 1);
+      if ((p.x() < 2 && q.x() > 3) || (p.x() > 3 && q.x() < 2)) {
+        across += w;
+        ++across_count;
+      } else if ((p.x() < 2 && q.x() < 2) || (p.x() > 3 && q.x() > 3)) {
+        beside += w;
+        ++beside_count;
+      }
+    }
+  ASSERT_GT(across_count, 10);
+  ASSERT_GT(beside_count, 10);
+  EXPECT_LT(across / across_count, 0.9);
+  EXPECT_GT(beside / beside_count, 0.97);
+}
+
+}  // namespace
+}  // namespace posture

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/io/atomic_file.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/files.h"
+#include <csignal>
+#include <sys/resource.h>
+
+namespace posture {
+namespace {
+
+namespace fs = std::filesystem;
+using test::bytesOf;
+using test::inputErrorOf;
+using test::TemporaryFolder;
+using ::testing::HasSubstr;
+
+TEST(AtomicFile, appearsOnCommitAndLeavesNothingElse) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "out.txt";
+  AtomicFile file(path);
+  file.stream() << "text";
+  EXPECT_FALSE(fs::exists(path));
+  file.commit();
+  EXPECT_EQ(bytesOf(path), "text");
+  EXPECT_EQ(folder.entryCount(), 1);
+}
+
+TEST(AtomicFile, withoutCommitTheOldFileStays) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.file("out.txt", "old");
+  { AtomicFile(path).stream() << "new"; }
+  EXPECT_EQ(bytesOf(path), "old");
+  EXPECT_EQ(folder.entryCount(), 1);
+}
+
+TEST(AtomicFile, twoAtOnceDoNotMeet) {
+  const TemporaryFolder folder;
+  AtomicFile first(folder.path() / "out.txt"), second(folder.path() / "out.txt");
+  first.stream() << "first";
+  second.stream() << "second";
+  second.commit();
+  first.commit();
+  EXPECT_EQ(bytesOf(folder.path() / "out.txt"), "first");
+}
+
+TEST(AtomicFile, writesThroughALink) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.file("out.txt", "old"), link = folder.path() / "link.txt";
+  fs::create_symlink(path, link);
+  AtomicFile file(link);
+  file.stream() << "new";
+  file.commit();
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(bytesOf(path), "new");
+}
+
+TEST(AtomicFile, saysWhyAPlaceCannotBeWritten) {
+  const TemporaryFolder folder;
+  const fs::path missing = folder.path() / "no" / "out.txt";
+  EXPECT_THAT(inputErrorOf([&] { AtomicFile file(missing); }),
+              HasSubstr(missing.string() + ": cannot be written: No such file"));
+  EXPECT_THAT(inputErrorOf([&] { AtomicFile file(folder.path()); }), HasSubstr("is a folder"));
+  EXPECT_THAT(inputErrorOf([&] { AtomicFile file("/dev/null"); }), HasSubstr("not a regular file"));
+}
+
+TEST(AtomicFile, worksInTheCurrentFolder) {
+  const TemporaryFolder folder;
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path());
+  AtomicFile file("out.txt");
+  file.stream() << "text";
+  file.commit();
+  fs::current_path(before);
+  EXPECT_EQ(bytesOf(folder.path() / "out.txt"), "text");
+}
+
+TEST(AtomicFile, aFullDiskFailsAndLeavesNothing) {
+  const TemporaryFolder folder;
+  rlimit old{};
+  getrlimit(RLIMIT_FSIZE, &old);
+  const rlimit small{1000, old.rlim_max};
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string message = inputErrorOf([&] {
+    AtomicFile file(folder.path() / "out.txt");
+    file.stream() << std::string(100000, 'x');
+    file.commit();
+  });
+  setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_THAT(message, HasSubstr("out.txt: cannot be written: "));
+  EXPECT_EQ(folder.entryCount(), 0);
+}
+
+}  // namespace
+}  // namespace posture

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/io/mesh_io.h>
+
+#include <gtest/gtest.h>
+
+#include "io/encode.h"
+#include "io/files.h"
+#include "support/shapes.h"
+#include <initializer_list>
+
+namespace posture {
+namespace {
+
+using test::raw;
+using test::TemporaryFolder;
+
+MeshFile parse(const std::string& ending, const std::string& bytes) {
+  const TemporaryFolder folder;
+  return readMesh(folder.file("mesh" + ending, bytes));
+}
+
+Faces faces(std::initializer_list<Eigen::RowVector3i> rows) {
+  Faces result(static_cast<Eigen::Index>(rows.size()), 3);
+  Eigen::Index i = 0;
+  for (const auto& row : rows) result.row(i++) = row;
+  return result;
+}
+
+Points points(std::initializer_list<Eigen::RowVector3d> rows) {
+  Points result(static_cast<Eigen::Index>(rows.size()), 3);
+  Eigen::Index i = 0;
+  for (const auto& row : rows) result.row(i++) = row;
+  return result;
+}
+
+Colors colors(std::initializer_list<Eigen::RowVector3i> rows) {
+  return faces(rows).cast<std::uint8_t>();
+}
+
+const Points corner_triangle = points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+const Points up_normals = points({{0, 0, 1}, {0, 0, 1}, {0, 0, 1}});
+const Colors red_green_blue = colors({{255, 0, 0}, {0, 255, 0}, {0, 0, 255}});
+const std::string four_vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST(Obj, polygonsAreCutIntoFansAndSmallOnesSkipped) {
+  const MeshFile file = parse(".obj", four_vertices + "v 0 2 0\nf 1 2 3 4 5\nf 1 2\nf 3 4 5\n");
+  EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {2, 3, 4}}));
+}
+
+TEST(Obj, negativeIndicesCountBackFromWhereTheyStand) {
+  const MeshFile file = parse(".obj", four_vertices + "f -4 -3 -2\nv 9 9 9\nf -1 -2 1\n");
+  EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {4, 3, 0}}));
+}
+
+TEST(Obj, facesMayStandBeforeTheirVertices) {
+  EXPECT_EQ(parse(".obj", "f 1 2 3\n" + four_vertices).mesh.faces, faces({{0, 1, 2}}));
+}
+
+TEST(Obj, texturesNormalsGroupsAndComments) {
+  const MeshFile file = parse(".obj",
+                              "# head\nmtllib a b.mtl\no thing\n\nv 0 0 0 # first\nv 1 0 0\n"
+                              "  v\t0 1 0\nvt 0 0\nvn 0 0 1\nvn 0 0 -1\ng part\ns off\n"
+                              "usemtl red\nf 1/1/1 2/1/1 3//1 # end\nf 3//2 2//2 1//2\nl 1 2\n");
+  EXPECT_EQ(file.mesh.vertices, corner_triangle);
+  EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {2, 1, 0}}));
+  EXPECT_EQ(file.normals, up_normals);
+}
+
+TEST(Obj, normalsInOrderWhereNoFaceNamesThem) {
+  const std::string vertices = "v 0 0 0\nvn 0 0 1\nv 1 0 0\nvn 0 0 1\nv 0 1 0\n";
+  EXPECT_EQ(parse(".obj", vertices + "vn 0 0 1\n").normals, up_normals);
+  EXPECT_EQ(parse(".obj", vertices).normals.rows(), 0);
+}
+
+TEST(Obj, colorsBehindThePosition) {
+  const char* unit = "v 0 0 0 1 0 0\nv 1 0 0 0 1.0 0\nv 0 1 0 0 0 1\n";
+  const char* byte = "v 0 0 0 255 0 0\nv 1 0 0 0 255 0\nv 0 1 0 0 0 255\n";
+  const char* alpha = "v 0 0 0 1 0 0 1\nv 1 0 0 0 1 0 1\nv 0 1 0 0 0 1 1\n";
+  for (const char* text : {unit, byte, alpha}) {
+    EXPECT_EQ(parse(".obj", text).mesh.vertices, corner_triangle);
+    EXPECT_EQ(parse(".obj", text).colors, red_green_blue);
+  }
+  EXPECT_EQ(parse(".obj", "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\n").colors.rows(), 0);
+}
+
+TEST(Obj, weightsAndContinuedLines) {
+  const MeshFile file =
+      parse(".obj", "v 0 0 0 1.0\nv 1 0 \\\n0 1\nv +0 1 -0 1\nf 1 2\\\r\n 3\nf 1 \\\n2 3\n");
+  EXPECT_EQ(file.mesh.vertices, corner_triangle);
+  EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {0, 1, 2}}));
+  EXPECT_EQ(file.colors.rows(), 0);
+}
+
+TEST(Off, countsOnTheFirstLineOrTheNext) {
+  const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const std::string head : {"OFF\n3 1 0\n",
+                                 "OFF 3 1 0\n",
+                                 "OFF\n3 1\n",
+                                 "# c\nOFF # c\n\n# c\n3 1 0 # c\n\n",
+                                 "OFF\n3\n1 0\n"}) {
+    EXPECT_EQ(parse(".off", head + body).mesh.vertices, corner_triangle) << head;
+    EXPECT_EQ(parse(".off", head + body).mesh.faces, faces({{0, 1, 2}})) << head;
+  }
+}
+
+TEST(Off, polygonsAndTrailingFaceColors) {
+  const MeshFile file = parse(".off",
+                              "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0 # last\n"
+                              "4 0 1 2 3 255 0 0\n3 0 1 2 0.5 0.5 0.5 1\n2 0 1\n3 1 2 3 7\n");
+  EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {1, 2, 3}}));
+}
+
+TEST(Off, vertexColorsAndNormals) {
+  const std::string face = "3 0 1 2\n";
+  const MeshFile byte = parse(".off",
+                              "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n"
+                              "0 1 0 0 0 255 255\n" +
+                                  face);
+  const MeshFile unit =
+      parse(".off", "COFF\n3 1 0\n0 0 0 1.0 0 0\n1 0 0 0 1.0 0\n0 1 0 0 0 1.0\n" + face);
+  const MeshFile normal =
+      parse(".off", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n" + face);
+  EXPECT_EQ(byte.colors, red_green_blue);
+  EXPECT_EQ(unit.colors, red_green_blue);
+  EXPECT_EQ(normal.normals, up_normals);
+  for (const MeshFile& file : {byte, unit, normal}) EXPECT_EQ(file.mesh.vertices, corner_triangle);
+}
+
+TEST(Off, geomviewHasNormalsFirstAndMeshlabColorsFirst) {
+  const MeshFile geomview = parse(".off",
+                                  "STCNOFF\n3 0 0\n0 0 0 0 0 1 255 0 0 255 0.5 0.5\n"
+                                  "1 0 0 0 0 1 0 255 0 255 0.5 0.5\n"
+                                  "0 1 0 0 0 1 0 0 255 255 0.5 0.5\n");
+  const MeshFile meshlab = parse(".off",
+                                 "NCOFF\n3 0 0\n0 0 0 255 0 0 255 0 0 1\n"
+                                 "1 0 0 0 255 0 255 0 0 1\n0 1 0 0 0 255 255 0 0 1\n");
+  for (const MeshFile& file : {geomview, meshlab}) {
+    EXPECT_EQ(file.mesh.vertices, corner_triangle);
+    EXPECT_EQ(file.colors, red_green_blue);
+    EXPECT_EQ(file.normals, up_normals);
+  }
+}
+
+TEST(Ply, anyOrderExtraPropertiesAndExtraElements) {
+  const MeshFile file =
+      parse(".ply",
+            "ply\nformat ascii 1.0\ncomment made by hand\nobj_info x\nelement camera 1\n"
+            "property float view_px\nproperty list int float lens\nelement vertex 3\n"
+            "property uchar blue\nproperty float z\nproperty uchar red\nproperty double y\n"
+            "property list uchar short neighbours\nproperty float32 x\nproperty float quality\n"
+            "property uchar green\nproperty float ny\nproperty float nx\nproperty float nz\n"
+            "element empty 0\nelement face 2\nproperty uchar flag\n"
+            "property list uint8 int32 vertex_index\nproperty list uchar float texcoord\n"
+            "element edge 1\nproperty int vertex1\nend_header\n9 2 0.5 0.5\n"
+            "0 0 255 0 2 7 8 0 0.1 0 0 0 1\n0 0 0 0 0 1 0.2 255 0 0 1\n"
+            "255 0 0 1 1 5 0 0.3 0 0 0 1\n1 3 0 1 2 2 0.1 0.2\n0 4 0 1 2 0 0\n4\n");
+  EXPECT_EQ(file.mesh.vertices, corner_triangle);
+  EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {0, 1, 2}, {0, 2, 0}}));
+  EXPECT_EQ(file.colors, red_green_blue);
+  EXPECT_EQ(file.normals, up_normals);
+}
+
+std::string binaryPlyOfEveryType(bool big) {
+  std::string out = std::string("ply\nformat ") +
+                    (big ? "binary_big_endian" : "binary_little_endian") +
+                    " 1.0\nelement vertex 3\nproperty char a\nproperty short x\nproperty ushort b\n"
+                    "property list ushort uint c\nproperty int y\nproperty double z\n"
+                    "property ushort red\nproperty ushort green\nproperty ushort blue\n"
+                    "element face 1\nproperty list uint ushort vertex_indices\nend_header\n";
+  for (int v = 0; v < 3; ++v) {
+    out += raw(std::int8_t{-1}) + raw(static_cast<std::int16_t>(v == 1), big) +
+           raw(std::uint16_t{9}, big) + raw(std::uint16_t{2}, big) + raw(5u, big) + raw(6u, big) +
+           raw(int{v == 2}, big) + raw(0.0, big);
+    for (int c = 0; c < 3; ++c) out += raw(static_cast<std::uint16_t>(c == v ? 65535 : 0), big);
+  }
+  out += raw(3u, big);
+  for (int c = 0; c < 3; ++c) out += raw(static_cast<std::uint16_t>(c), big);
+  return out;
+}
+
+TEST(Ply, everyNumberTypeInBothByteOrders) {
+  for (const bool big : {false, true}) {
+    const MeshFile file = parse(".ply", binaryPlyOfEveryType(big));
+    EXPECT_EQ(file.mesh.vertices, corner_triangle);
+    EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}}));
+    EXPECT_EQ(file.colors, red_green_blue);
+  }
+}
+
+TEST(Ply, floatColorsWindowsHeaderAndStrips) {
+  const std::string head =
+      "ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\nproperty float y\r\n"
+      "property float z\r\nproperty float red\r\nproperty float green\r\nproperty float blue\r\n"
+      "element tristrips 1\r\nproperty list int int vertex_indices\r\nend_header\r\n";
+  const MeshFile file =
+      parse(".ply", head + "0 0 0 1 0 0\r\n1 0 0 0 1 0\r\n0 1 0 0 0 1\r\n8 0 1 2 0 -1 2 1 0\r\n");
+  EXPECT_EQ(file.colors, red_green_blue);
+  EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {2, 1, 0}, {2, 1, 0}}));
+}
+
+TEST(Ply, normalsThatAreNoNumbersAreLeftOut) {
+  const MeshFile file =
+      parse(".ply",
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+            "property float y\nproperty float z\nproperty float nx\n"
+            "property float ny\nproperty float nz\nend_header\n1 2 3 nan 0 -nan\n");
+  EXPECT_EQ(file.mesh.vertices, points({{1, 2, 3}}));
+  EXPECT_EQ(file.normals.rows(), 0);
+}
+
+TEST(Stl, capitalsSeveralSolidsAndPolygons) {
+  const std::string facet =
+      "FACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\n"
+      "ENDFACET\n";
+  const MeshFile file =
+      parse(".stl", "SOLID a b c\n" + facet + "ENDSOLID a b c\nsolid\n" + facet + "endsolid");
+  EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {3, 4, 5}}));
+  EXPECT_EQ(file.mesh.vertices.topRows(3), corner_triangle);
+}
+
+TEST(Stl, binaryMayHaveBytesBehindIt) {
+  const TriangleMesh mesh = test::grid(1, 1, 1, 1);
+  EXPECT_EQ(parse(".stl", test::binaryStl(mesh, "solid x") + "more").mesh.faces.rows(), 2);
+}
+
+const std::string vtk_head = "# vtk DataFile Version 3.0\n\nASCII\n";
+const std::string vtk_points = "POINTS 4 float\n0 0 0  1 0 0  1 1 0\n0 1 0\n";
+
+TEST(Vtk, sectionsThatDoNotMatterAreSkipped) {
+  const MeshFile file = parse(
+      ".vtk",
+      vtk_head +
+          "DATASET POLYDATA\nFIELD FieldData 2\nTIME 1 1 double\n3.5\nMETADATA\n"
+          "INFORMATION 1\nNAME a LOCATION b\nDATA 1\n\nname 2 2 int\n1 2 3 4\n" +
+          vtk_points + "VERTICES 1 2\n1 0\nLINES 1 3\n2 0 1\nPOLYGONS 2 9\n4 0 1 2 3\n3 0 1 2\n" +
+          "TRIANGLE_STRIPS 1 5\n4 0 1 3 2\nPOINT_DATA 4\nanything at all\n");
+  EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {0, 1, 3}, {3, 1, 2}}));
+}
+
+TEST(Vtk, unstructuredGridsOfPolygons) {
+  const MeshFile file = parse(".vtk",
+                              vtk_head + "DATASET UNSTRUCTURED_GRID\n" + vtk_points +
+                                  "CELLS 5 21\n3 0 1 2\n4 0 1 2 3\n4 0 1 3 2\n2 0 1\n3 0 1 2\n"
+                                  "CELL_TYPES 5\n5 9 8 3 7\n");
+  EXPECT_EQ(file.mesh.faces,
+            faces({{0, 1, 2}, {0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {0, 2, 3}, {0, 1, 2}}));
+}
+
+TEST(Vtk, binaryFloatsAndFields) {
+  std::string text =
+      "# vtk DataFile Version 2.0\nt\nBINARY\nDATASET POLYDATA\nFIELD f 1\na 1 2 short\n" +
+      raw(std::int16_t{1}, true) + raw(std::int16_t{2}, true) + "\nPOINTS 3 float\n";
+  for (const float x : {0, 0, 0, 1, 0, 0, 0, 1, 0}) text += raw(x, true);
+  text += "\nTRIANGLE_STRIPS 1 4\n";
+  for (const int i : {3, 0, 1, 2}) text += raw(i, true);
+  const MeshFile file = parse(".vtk", text);
+  EXPECT_EQ(file.mesh.vertices, corner_triangle);
+  EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}}));
+}
+
+}  // namespace
+}  // namespace posture

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/mesh/clean_mesh.h>
+#include <posture/mesh/edges.h>
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+#include <Eigen/Geometry>
+
+namespace posture {
+namespace {
+
+double volume(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (int f = 0; f < mesh.faces.rows(); ++f) {
+    const Eigen::RowVector3d a = mesh.vertices.row(mesh.faces(f, 0));
+    const Eigen::RowVector3d b = mesh.vertices.row(mesh.faces(f, 1));
+    const Eigen::RowVector3d c = mesh.vertices.row(mesh.faces(f, 2));
+    sum += a.dot(b.cross(c)) / 6;
+  }
+  return sum;
+}
+
+/// `second` after `first`, shifted.
+TriangleMesh together(const TriangleMesh& first, const TriangleMesh& second,
+                      const Eigen::RowVector3d& shift) {
+  TriangleMesh both;
+  const int n = static_cast<int>(first.vertices.rows());
+  both.vertices.resize(n + second.vertices.rows(), 3);
+  both.vertices << first.vertices, second.vertices.rowwise() + shift;
+  both.faces.resize(first.faces.rows() + second.faces.rows(), 3);
+  both.faces << first.faces, (second.faces.array() + n).matrix();
+  return both;
+}
+
+TEST(CleanMesh, leavesACleanMeshAsItIs) {
+  const TriangleMesh sphere = test::sphere(2);
+  const CleanMesh clean = cleanMesh(sphere);
+  EXPECT_EQ(clean.mesh.vertices, sphere.vertices);
+  EXPECT_EQ(clean.mesh.faces, sphere.faces);
+  for (int v = 0; v < sphere.vertices.rows(); ++v) {
+    EXPECT_EQ(clean.clean_vertex[v], v);
+    EXPECT_EQ(clean.input_vertex[v], v);
+  }
+  EXPECT_EQ(clean.summary.components, 1);
+}
+
+TEST(CleanMesh, loosePartsFollowTheSurfaceTheyAreNearestTo) {
+  TriangleMesh eye = test::sphere(0);
+  eye.vertices *= 0.1;
+  const TriangleMesh head = test::sphere(3);
+  const CleanMesh clean = cleanMesh(together(eye, head, {0, 0, 0}));
+  EXPECT_EQ(clean.summary.components, 2);
+  EXPECT_EQ(clean.summary.loose_vertices, eye.vertices.rows());
+  EXPECT_EQ(clean.mesh.vertices.rows(), head.vertices.rows());
+  for (int v = 0; v < eye.vertices.rows(); ++v) {
+    const Eigen::RowVector3d at = clean.mesh.vertices.row(clean.clean_vertex[v]);
+    EXPECT_NEAR(clean.offset[v], (at - eye.vertices.row(v)).norm(), 1e-6);
+    // The nearest head vertex lies out along the eye vertex's direction.
+    EXPECT_GT(at.dot(eye.vertices.row(v).normalized()), 0.95);
+  }
+}
+
+TEST(CleanMesh, everyInputVertexHasAPlace) {
+  TriangleMesh mesh = test::grid(4, 4, 1, 1);
+  const int n = static_cast<int>(mesh.vertices.rows());
+  mesh.vertices.conservativeResize(n + 2, 3);
+  mesh.vertices.row(n) = mesh.vertices.row(7);       // the same place, in no face
+  mesh.vertices.row(n + 1) << 0.5, 0.5, 3;           // in no face
+  const CleanMesh clean = cleanMesh(mesh);
+  EXPECT_EQ(clean.summary.unreferenced_vertices, 2);
+  EXPECT_EQ(clean.summary.loose_vertices, 0);
+  EXPECT_EQ(clean.clean_vertex[n], clean.clean_vertex[7]);
+  EXPECT_EQ(clean.offset[n], 0);
+  EXPECT_NEAR(clean.offset[n + 1], 3, 1e-6);
+  EXPECT_EQ(clean.clean_vertex[n + 1], 12);
+}
+
+TEST(CleanMesh, weldsTheTriangleSoupOfAnStlFile) {
+  const TriangleMesh sphere = test::sphere(1);
+  TriangleMesh soup;
+  soup.vertices.resize(sphere.faces.size(), 3);
+  soup.faces.resize(sphere.faces.rows(), 3);
+  for (int i = 0; i < sphere.faces.size(); ++i) {
+    soup.vertices.row(i) = sphere.vertices.row(sphere.faces.data()[i]);
+    soup.faces.data()[i] = i;
+  }
+  const CleanMesh clean = cleanMesh(soup);
+  EXPECT_EQ(clean.mesh.vertices.rows(), sphere.vertices.rows());
+  EXPECT_EQ(clean.mesh.faces.rows(), sphere.faces.rows());
+  EXPECT_EQ(clean.summary.components, 1);
+  EXPECT_NEAR(volume(clean.mesh), volume(sphere), 1e-12);
+}
+
+TEST(CleanMesh, dropsDegenerateAndRepeatedFaces) {
+  TriangleMesh mesh = test::sphere(1);
+  const int m = static_cast<int>(mesh.faces.rows());
+  mesh.faces.conservativeResize(m + 3, 3);
+  mesh.faces.row(m) = mesh.faces.row(0);
+  mesh.faces.row(m + 1) << mesh.faces(1, 1), mesh.faces(1, 0), mesh.faces(1, 2);
+  mesh.faces.row(m + 2) << 3, 3, 5;
+  const CleanMesh clean = cleanMesh(mesh);
+  EXPECT_EQ(clean.mesh.faces.rows(), m);
+  EXPECT_EQ(clean.summary.repeated_faces, 2);
+  EXPECT_EQ(clean.summary.degenerate_faces, 1);
+}
+
+TEST(CleanMesh, orientsAClosedSurfaceOutwardsWhateverItsFacesSay) {
+  const TriangleMesh sphere = test::sphere(2);
+  TriangleMesh mixed = sphere;
+  for (int f = 0; f < mixed.faces.rows(); ++f)
+    if (f % 3 != 0) std::swap(mixed.faces(f, 1), mixed.faces(f, 2));
+  const CleanMesh clean = cleanMesh(mixed);
+  EXPECT_NEAR(volume(clean.mesh), volume(sphere), 1e-12);
+  EXPECT_EQ(clean.summary.flipped_faces, mixed.faces.rows() - (mixed.faces.rows() + 2) / 3);
+}
+
+TEST(CleanMesh, orientsAnOpenSurfaceTheWayMostOfItFaces) {
+  TriangleMesh mesh = test::grid(6, 6, 1, 1);
+  std::swap(mesh.faces(5, 0), mesh.faces(5, 1));
+  const CleanMesh clean = cleanMesh(mesh);
+  EXPECT_EQ(clean.summary.flipped_faces, 1);
+  for (int f = 0; f < clean.mesh.faces.rows(); ++f) {
+    const Eigen::RowVector3d a = clean.mesh.vertices.row(clean.mesh.faces(f, 0));
+    const Eigen::RowVector3d b = clean.mesh.vertices.row(clean.mesh.faces(f, 1));
+    const Eigen::RowVector3d c = clean.mesh.vertices.row(clean.mesh.faces(f, 2));
+    EXPECT_GT((b - a).cross(c - a).z(), 0);
+  }
+}
+
+TEST(CleanMesh, keepsNonManifoldEdgesAndCountsThem) {
+  TriangleMesh mesh;
+  mesh.vertices.resize(5, 3);
+  mesh.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1;
+  mesh.faces.resize(3, 3);
+  mesh.faces << 0, 1, 2, 1, 0, 3, 0, 1, 4;
+  const CleanMesh clean = cleanMesh(mesh);
+  EXPECT_EQ(clean.summary.non_manifold_edges, 1);
+  EXPECT_EQ(clean.mesh.faces.rows(), 3);
+}
+
+TEST(CleanMesh, refusesMeshesWithoutSurface) {
+  TriangleMesh cloud;
+  cloud.vertices = Points::Random(10, 3);
+  cloud.faces.resize(0, 3);
+  EXPECT_THROW(cleanMesh(cloud), InputError);
+  TriangleMesh collapsed = test::sphere(0);
+  collapsed.vertices.setZero();
+  EXPECT_THROW(cleanMesh(collapsed), InputError);
+}
+
+}  // namespace
+}  // namespace posture

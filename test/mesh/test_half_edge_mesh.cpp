@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/rng.h>
+#include <posture/mesh/edges.h>
+#include <posture/mesh/half_edge_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+namespace posture {
+namespace {
+
+int eulerNumber(const HalfEdgeMesh& mesh) {
+  return mesh.liveVertexCount() - static_cast<int>(meshEdges(mesh.faces()).size()) +
+         mesh.liveFaceCount();
+}
+
+HalfEdgeMesh halfEdges(const TriangleMesh& mesh) {
+  return {mesh.faces, static_cast<int>(mesh.vertices.rows())};
+}
+
+TEST(HalfEdgeMesh, holdsItsInvariantsOnClosedAndOpenMeshes) {
+  EXPECT_EQ(halfEdges(test::sphere(2)).check(), "");
+  EXPECT_EQ(halfEdges(test::grid(5, 4, 1, 1)).check(), "");
+}
+
+TEST(HalfEdgeMesh, starMeetsEveryNeighbour) {
+  const TriangleMesh grid = test::grid(3, 3, 1, 1);
+  const HalfEdgeMesh mesh = halfEdges(grid);
+  std::vector<int> degree(grid.vertices.rows(), 0);
+  for (const Edge& e : meshEdges(grid.faces)) {
+    ++degree[e.first];
+    ++degree[e.second];
+  }
+  for (int v = 0; v < grid.vertices.rows(); ++v) EXPECT_EQ(mesh.neighbors(v).size(), degree[v]);
+  EXPECT_TRUE(mesh.isBoundaryVertex(0));
+  EXPECT_FALSE(mesh.isBoundaryVertex(5));
+}
+
+TEST(HalfEdgeMesh, refusesWhatIsNotManifoldOrNotOriented) {
+  Faces fin(3, 3), against(2, 3), bow_tie(2, 3);
+  fin << 0, 1, 2, 1, 0, 3, 0, 1, 4;
+  against << 0, 1, 2, 0, 1, 3;
+  bow_tie << 0, 1, 2, 0, 3, 4;
+  EXPECT_THROW(HalfEdgeMesh(fin, 5), std::invalid_argument);
+  EXPECT_THROW(HalfEdgeMesh(against, 4), std::invalid_argument);
+  EXPECT_THROW(HalfEdgeMesh(bow_tie, 5), std::invalid_argument);
+}
+
+/// Collapses edges at random as long as any may be; the topology must stay what it was.
+void collapseAtRandom(const TriangleMesh& input, std::uint64_t seed) {
+  HalfEdgeMesh mesh = halfEdges(input);
+  const int euler = eulerNumber(mesh);
+  Rng rng(seed);
+  int collapsed = 0;
+  for (int attempt = 0; attempt < 40 * input.vertices.rows(); ++attempt) {
+    const int h = rng.below(mesh.halfEdgeCount());
+    if (!mesh.isLive(h)) continue;
+    const int from = mesh.origin(h), into = mesh.target(h);
+    if (!mesh.canCollapse(from, into)) continue;
+    const int faces = mesh.liveFaceCount(), vertices = mesh.liveVertexCount();
+    mesh.collapse(from, into);
+    ++collapsed;
+    ASSERT_EQ(mesh.check(), "") << "after " << collapsed << " collapses";
+    ASSERT_EQ(mesh.liveVertexCount(), vertices - 1);
+    ASSERT_LT(mesh.liveFaceCount(), faces);
+    ASSERT_EQ(eulerNumber(mesh), euler);
+  }
+  // Nearly everything can go from a sphere or a disc.
+  EXPECT_GT(collapsed, input.vertices.rows() * 3 / 4);
+}
+
+TEST(HalfEdgeMesh, collapsesKeepInvariantsAndEulerNumberOnASphere) {
+  collapseAtRandom(test::sphere(2), 1);
+}
+
+TEST(HalfEdgeMesh, collapsesKeepInvariantsAndEulerNumberOnADisc) {
+  collapseAtRandom(test::grid(9, 7, 1, 1), 2);
+}
+
+TEST(HalfEdgeMesh, keepsATetrahedronFromFoldingFlat) {
+  Faces tetrahedron(4, 3);
+  tetrahedron << 0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2;
+  const HalfEdgeMesh mesh(tetrahedron, 4);
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b)
+      if (a != b) EXPECT_FALSE(mesh.canCollapse(a, b));
+}
+
+TEST(HalfEdgeMesh, doesNotPinchTwoBoundariesTogether) {
+  // A ring of six triangles about a hole: an edge across the ring joins two boundaries.
+  Faces ring(6, 3);
+  ring << 0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4, 2, 0, 5, 0, 3, 5;
+  const HalfEdgeMesh mesh(ring, 6);
+  EXPECT_FALSE(mesh.canCollapse(1, 3));
+  EXPECT_FALSE(mesh.canCollapse(0, 3));
+}
+
+TEST(CutNonManifold, separatesFinsBowTiesAndDisagreeingFaces) {
+  TriangleMesh mesh;
+  mesh.vertices = Points::Random(9, 3);
+  mesh.faces.resize(5, 3);
+  mesh.faces << 0, 1, 2, 1, 0, 3, 0, 1, 4,  // a fin on the edge 0 1
+      5, 6, 7, 5, 8, 2;                     // a bow-tie at 5
+  const ManifoldMesh cut = cutNonManifold(mesh);
+  EXPECT_EQ(HalfEdgeMesh(cut.mesh.faces, static_cast<int>(cut.mesh.vertices.rows())).check(), "");
+  for (int i = 0; i < mesh.faces.size(); ++i)
+    EXPECT_EQ(cut.original_vertex[cut.mesh.faces.data()[i]], mesh.faces.data()[i]);
+  for (int v = 0; v < cut.mesh.vertices.rows(); ++v)
+    EXPECT_EQ(cut.mesh.vertices.row(v), mesh.vertices.row(cut.original_vertex[v]));
+}
+
+TEST(CutNonManifold, leavesAManifoldAsItIs) {
+  const TriangleMesh sphere = test::sphere(2);
+  const ManifoldMesh cut = cutNonManifold(sphere);
+  EXPECT_EQ(cut.mesh.faces, sphere.faces);
+  EXPECT_EQ(cut.mesh.vertices.rows(), sphere.vertices.rows());
+}
+
+}  // namespace
+}  // namespace posture

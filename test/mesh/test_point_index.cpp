@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/rng.h>
+#include <posture/mesh/point_index.h>
+
+#include <gtest/gtest.h>
+
+namespace posture {
+namespace {
+
+Points randomPoints(int count, Rng& rng) {
+  Points points(count, 3);
+  for (int i = 0; i < points.size(); ++i) points.data()[i] = rng.uniform();
+  return points;
+}
+
+TEST(PointIndex, findsWhatExhaustiveSearchFinds) {
+  Rng rng(1);
+  const Points points = randomPoints(500, rng), queries = randomPoints(200, rng);
+  const PointIndex index(points);
+  for (int q = 0; q < queries.rows(); ++q) {
+    const auto found = index.nearest(queries.row(q));
+    const double least = (points.rowwise() - queries.row(q)).rowwise().norm().minCoeff();
+    EXPECT_NEAR(found.distance, least, 1e-6);
+    EXPECT_NEAR((points.row(found.index) - queries.row(q)).norm(), least, 1e-6);
+  }
+}
+
+TEST(PointIndex, isAsGoodFarFromTheOrigin) {
+  Rng rng(2);
+  Points points = randomPoints(500, rng);
+  const Eigen::RowVector3d far(5e5, 4e6, 300);  // a map's coordinates, in metres
+  points.rowwise() += far;
+  const PointIndex index(points);
+  for (int i = 0; i < points.rows(); ++i) EXPECT_EQ(index.nearest(points.row(i)).index, i);
+}
+
+TEST(PointIndex, refusesNoPoints) {
+  EXPECT_THROW(PointIndex(Points(0, 3)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace posture
