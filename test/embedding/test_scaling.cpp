@@ -51,15 +51,20 @@ TEST(LeastSquaresScaling, restoresEuclideanPointsFromADisturbedStart) {
   EXPECT_LT(normalizedStress(distances, ones(40), found), 1e-2 * normalizedStress(distances, ones(40), start));
 }
 
-TEST(LeastSquaresScaling, neverEndsWorseThanItBegan) {
-  // Distances that no points in space have: those along a circle.
-  const int count = 60;
+/// Distances that no points in space have: those along a circle.
+Matrix circleDistances(int count) {
   Matrix distances(count, count);
   for (int i = 0; i < count; ++i)
     for (int j = 0; j < count; ++j) {
       const int steps = std::abs(i - j);
       distances(i, j) = std::min(steps, count - steps);
     }
+  return distances;
+}
+
+TEST(LeastSquaresScaling, neverEndsWorseThanItBegan) {
+  const int count = 60;
+  const Matrix distances = circleDistances(count);
   const Points start = classicalScaling(distances);
   const Points found = leastSquaresScaling(distances, ones(count), start);
   EXPECT_LT(normalizedStress(distances, ones(count), found),
@@ -80,9 +85,8 @@ TEST(LeastSquaresScaling, believesTheWeights) {
 }
 
 TEST(LeastSquaresScaling, restsWhereTheStressHasNoSlope) {
-  const Points start = randomPoints(20, 8);
-  const Matrix distances = pairwise(randomPoints(20, 9));
-  const Points found = leastSquaresScaling(distances, ones(20), start);
+  const Matrix distances = circleDistances(20);
+  const Points found = leastSquaresScaling(distances, ones(20), classicalScaling(distances));
   const double stress = normalizedStress(distances, ones(20), found);
   // Central differences over the found minimum: no direction lowers the stress notably.
   for (int i = 0; i < found.size(); i += 7) {
@@ -92,7 +96,7 @@ TEST(LeastSquaresScaling, restsWhereTheStressHasNoSlope) {
     const double above = normalizedStress(distances, ones(20), there);
     there.data()[i] -= 2 * STEP;
     const double below = normalizedStress(distances, ones(20), there);
-    EXPECT_LT(std::abs(above - below) / (2 * STEP), 0.02 * stress);
+    EXPECT_LT(std::abs(above - below) / (2 * STEP), 1e-3 * stress);
   }
 }
 

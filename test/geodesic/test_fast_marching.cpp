@@ -8,6 +8,8 @@
 
 #include "support/shapes.h"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <limits>
 #include <queue>

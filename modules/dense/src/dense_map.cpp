@@ -6,6 +6,7 @@
 #include <posture/mesh/point_index.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace posture {
 namespace {
@@ -28,12 +29,19 @@ struct Agreement {
   Vector mean;                    ///< n: mean consistency
 };
 
+/// Samples are matched to samples, so a match lies beside its true place by up to their spacing:
+/// two lengths that differ by less than that are no contradiction, whatever their ratio.
+double matchUncertainty(const EmbeddedShape& source, const EmbeddedShape& target) {
+  return std::max(source.landmarks.covering_radius, target.landmarks.covering_radius);
+}
+
 Agreement agreement(const EmbeddedShape& source,
                     const EmbeddedShape& target,
                     const std::vector<Match>& matches,
                     const std::vector<int>& target_vertex,
                     double threshold) {
   const int n = static_cast<int>(target_vertex.size());
+  const double uncertainty = matchUncertainty(source, target);
   Agreement result{std::vector<int>(n, 0), Vector::Zero(n)};
   // Blocks of vertices keep a landmark's row of distances in cache.
   constexpr int BLOCK = 2048;
@@ -42,12 +50,12 @@ Agreement agreement(const EmbeddedShape& source,
     for (const Match& match : matches) {
       const auto from_source = source.landmarks.distances.row(match.source);
       const auto from_target = target.landmarks.distances.row(match.target);
-      const bool block_end = begin + BLOCK > n;
-      for (int v = begin; v < (block_end ? n : begin + BLOCK); ++v) {
-        if (v == source.landmarks.vertices[match.source]) continue;
-        const double c = lengthConsistency(from_source[v], from_target[target_vertex[v]]);
-        result.inconsistent[v] += c <= threshold;
-        result.mean[v] += c;
+      for (int v = begin; v < std::min(n, begin + BLOCK); ++v) {
+        const double a = from_source[v], b = from_target[target_vertex[v]];
+        const bool near = std::abs(a - b) <= uncertainty;
+        const double c = lengthConsistency(a, b);
+        result.inconsistent[v] += c <= threshold && !near;
+        result.mean[v] += a == b ? 1 : c;
       }
     }
   if (!matches.empty()) result.mean /= static_cast<double>(matches.size());

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/program.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace posture::test {
+namespace {
+
+[[noreturn]] void become(const std::string& program,
+                         const std::vector<std::string>& arguments,
+                         const std::vector<std::string>& environment,
+                         const TemporaryFolder& folder) {
+  for (const std::string& entry : environment) {
+    const std::size_t equals = entry.find('=');
+    if (equals == std::string::npos)
+      unsetenv(entry.c_str());
+    else
+      setenv(entry.substr(0, equals).c_str(), entry.substr(equals + 1).c_str(), 1);
+  }
+  if (std::freopen((folder / "out").c_str(), "w", stdout) == nullptr) _exit(126);
+  if (std::freopen((folder / "err").c_str(), "w", stderr) == nullptr) _exit(126);
+  std::vector<char*> argv = {const_cast<char*>(program.c_str())};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  execv(program.c_str(), argv.data());
+  _exit(127);
+}
+
+}  // namespace
+
+ProgramRun run(const std::filesystem::path& program,
+               const std::vector<std::string>& arguments,
+               const std::vector<std::string>& environment) {
+  const TemporaryFolder folder;
+  const pid_t child = fork();
+  if (child == 0) become(program.string(), arguments, environment, folder);
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child) throw std::runtime_error("no process");
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+          contentOf(folder / "out"),
+          contentOf(folder / "err")};
+}
+
+std::string contentOf(const std::filesystem::path& file) {
+  std::ostringstream content;
+  content << std::ifstream(file, std::ios::binary).rdbuf();
+  return content.str();
+}
+
+bool saidWhyInOneLine(const ProgramRun& ended) {
+  return ended.out.empty() && ended.err.size() > 1 && ended.err.find('\n') == ended.err.size() - 1;
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "posture-test-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder " + name);
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::vector<std::string> TemporaryFolder::names() const {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(path_))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace posture::test

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace posture::test {
+
+/// What a program left behind.
+struct ProgramRun {
+  int exit_code = -1;  ///< 128 + signal where it was killed
+  std::string out, err;
+};
+
+/// Runs `program` with these arguments and waits for it.
+/// \param environment  NAME=value sets, NAME alone unsets.
+ProgramRun run(const std::filesystem::path& program,
+               const std::vector<std::string>& arguments,
+               const std::vector<std::string>& environment = {});
+
+std::string contentOf(const std::filesystem::path& file);
+
+/// That a failed program said why in one line on stderr and nothing on stdout.
+bool saidWhyInOneLine(const ProgramRun& ended);
+
+/// A folder of its own that ends with this object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  /// Names of what is in it, sorted.
+  std::vector<std::string> names() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace posture::test

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/evaluation/pair_list.h>
+#include <posture/io/mesh_io.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/program.h"
+#include "support/shapes.h"
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace posture {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+namespace fs = std::filesystem;
+
+const std::string POSTURE = std::string(PROGRAM_DIR) + "/posture";
+
+/// A list of a strip bent two ways, a pair whose source is missing and a pair of points only.
+class Benchmark : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(folder_ / "m");
+    writeMesh(folder_ / "m/flat.off", strip(0));
+    writeMesh(folder_ / "m/bent.off", strip(1.5));
+    std::ofstream points(folder_ / "m/points.off");
+    points << "OFF\n100 0 0\n";
+    for (int v = 0; v < 100; ++v) points << v << " " << v % 7 << " " << v % 5 << "\n";
+    std::ofstream(folder_ / "pairs.csv")
+        << "id,family,kind,source,target,truth,mirror_truth,note\n"
+           "good,strip,isometric,m/flat.off,m/bent.off,identity,,\"a strip, bent\"\n"
+           "missing,strip,isometric,m/none.off,m/bent.off,identity,,\n"
+           "points,scans,scan,m/points.off,m/bent.off,,,\n";
+  }
+
+  /// Wider at one end, so that its ends differ.
+  static TriangleMesh strip(double angle) {
+    TriangleMesh mesh = test::bentStrip(20, 6, 4, 1, angle);
+    const TriangleMesh flat = test::bentStrip(20, 6, 4, 1, 0);
+    for (int v = 0; v < mesh.vertices.rows(); ++v)
+      mesh.vertices(v, 1) *= 1 + 0.2 * flat.vertices(v, 0);
+    return mesh;
+  }
+
+  test::ProgramRun benchmark(std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"benchmark", folder_ / "pairs.csv", "-o", out_.string()});
+    return test::run(POSTURE, more);
+  }
+
+  json result(const std::string& id) const {
+    return json::parse(test::contentOf(out_ / "pairs" / (id + ".json")));
+  }
+
+  fs::file_time_type written(const std::string& id) const {
+    return fs::last_write_time(out_ / "pairs" / (id + ".json"));
+  }
+
+  const test::TemporaryFolder folder_;
+  const fs::path out_ = folder_ / "results";
+};
+
+TEST_F(Benchmark, OneBadPairDoesNotEndTheList) {
+  const auto end = benchmark();
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_EQ(std::count(end.err.begin(), end.err.end(), '\n'), 3) << end.err;  // a line a pair
+  EXPECT_THAT(end.out, HasSubstr("3 pairs: "));
+
+  const json good = result("good");
+  EXPECT_THAT(good["status"], testing::AnyOf("registered", "undecided"));
+  EXPECT_EQ(good["source_vertices"], 147);
+  EXPECT_EQ(good["accepted"].get<int>() + good["rejected"].get<int>(), 147);
+  EXPECT_EQ(good["errors"]["true_pairs"], 147);
+  EXPECT_GE(good["candidates"]["errors"].size(), 1u);
+  EXPECT_TRUE(good["fit"].contains("mean_stretch"));
+  EXPECT_GT(good["seconds"], 0);
+  EXPECT_GT(good["peak_memory_mib"], 1);
+  EXPECT_FALSE(good["stages"].empty());
+  EXPECT_EQ(result("missing")["status"], "not run");
+  EXPECT_THAT(result("missing")["message"], HasSubstr("none.off"));
+  EXPECT_EQ(result("points")["status"], "not run");
+  EXPECT_THAT(result("points")["message"], HasSubstr("unsupported: points only"));
+
+  const auto rows = parseCsv(test::contentOf(out_ / "results.csv"));
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[1][0], "good");
+  EXPECT_EQ(rows[3].size(), rows[0].size());
+  const std::string page = test::contentOf(out_ / "RESULTS.md");
+  for (const char* part : {"| strip ", "| scans ", "## The paper's own figures", "| points "})
+    EXPECT_THAT(page, HasSubstr(part));
+  EXPECT_EQ(json::parse(test::contentOf(out_ / "results.json"))["pairs"].size(), 3u);
+  EXPECT_THAT(test::contentOf(out_ / "curves.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(test::contentOf(out_ / "histogram.svg"), HasSubstr("<svg"));
+  for (const auto& entry : fs::directory_iterator(out_ / "pairs"))
+    EXPECT_EQ(entry.path().extension(), ".json");  // no logs, no half-written files
+}
+
+TEST_F(Benchmark, ResumesWhereItStopped) {
+  ASSERT_EQ(benchmark({"--pair", "good", "--pair", "points"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(out_ / "pairs/missing.json"));
+  const auto good = written("good"), points = written("points");
+
+  const auto again = benchmark();
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_EQ(std::count(again.err.begin(), again.err.end(), '\n'), 1) << again.err;
+  EXPECT_EQ(written("good"), good);
+  EXPECT_EQ(written("points"), points);
+  EXPECT_TRUE(fs::exists(out_ / "pairs/missing.json"));
+
+  EXPECT_EQ(benchmark({"--fresh", "--family", "scans"}).exit_code, 0);
+  EXPECT_EQ(written("good"), good);
+  EXPECT_NE(written("points"), points);
+  EXPECT_EQ(parseCsv(test::contentOf(out_ / "results.csv")).size(), 4u);
+}
+
+TEST_F(Benchmark, RunsAgainWhatIsDamagedOrOfOtherInputs) {
+  ASSERT_EQ(benchmark({"--pair", "points"}).exit_code, 0);
+  std::ofstream(out_ / "pairs/points.json") << "{\"id\": \"poi";
+  ASSERT_EQ(benchmark({"--pair", "points"}).exit_code, 0);
+  EXPECT_EQ(result("points")["status"], "not run");
+
+  std::ofstream(folder_ / "pairs.csv") << "id,source,target\npoints,m/other.off,m/bent.off\n";
+  ASSERT_EQ(benchmark().exit_code, 0);
+  EXPECT_THAT(result("points")["message"], HasSubstr("other.off"));
+}
+
+TEST_F(Benchmark, APairThatTakesTooLongHasFailed) {
+  ASSERT_EQ(benchmark({"--quiet", "--pair", "good", "--time-limit", "0.001"}).exit_code, 0);
+  EXPECT_EQ(result("good")["status"], "failed");
+  EXPECT_THAT(result("good")["message"], HasSubstr("took longer than"));
+}
+
+TEST_F(Benchmark, QuietAndJson) {
+  const auto quiet = benchmark({"--quiet", "--pair", "points"});
+  EXPECT_EQ(quiet.out + quiet.err, "");
+  const auto as_json = benchmark({"--quiet", "--json"});
+  EXPECT_EQ(as_json.err, "");
+  EXPECT_EQ(json::parse(as_json.out)["pairs"].size(), 3u);
+}
+
+TEST_F(Benchmark, SaysWhatItCannotUse) {
+  const auto unknown = benchmark({"--family", "cat"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("no family 'cat'"));
+  std::ofstream(folder_ / "pairs.csv") << "id,source\na,b\n";
+  const auto broken = benchmark();
+  EXPECT_EQ(broken.exit_code, 3);
+  EXPECT_THAT(broken.err, HasSubstr("pairs.csv: has no column 'target'"));
+  EXPECT_EQ(std::count(broken.err.begin(), broken.err.end(), '\n'), 1);
+  fs::remove(folder_ / "pairs.csv");
+  EXPECT_EQ(benchmark().exit_code, 3);
+}
+
+}  // namespace
+}  // namespace posture

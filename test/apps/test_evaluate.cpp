@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/io/correspondence_io.h>
+#include <posture/io/mesh_io.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/program.h"
+#include "support/shapes.h"
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+namespace posture {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const std::string POSTURE = std::string(PROGRAM_DIR) + "/posture";
+constexpr int COLUMNS = 20, ROWS = 10, VERTICES = (COLUMNS + 1) * (ROWS + 1);
+
+class Evaluate : public testing::Test {
+ protected:
+  void SetUp() override {
+    writeMesh(folder_ / "target.off", test::grid(COLUMNS, ROWS, COLUMNS, ROWS));
+    writeMap("identity.csv", 0);
+    writeMap("shifted.csv", 1);
+    std::vector<VertexPair> mirrored;
+    for (int v = 0; v < VERTICES; ++v)
+      mirrored.push_back({v, v - v % (COLUMNS + 1) + COLUMNS - v % (COLUMNS + 1)});
+    writeVertexPairs(folder_ / "mirror.txt", mirrored);
+  }
+
+  /// Every vertex goes so many columns to the right, or nowhere where there is none.
+  void writeMap(const std::string& name, int columns) const {
+    Correspondence map;
+    map.on_target.resize(VERTICES);
+    map.confidence = Vector::Zero(VERTICES);
+    for (int v = 0; v < VERTICES; ++v)
+      if (v % (COLUMNS + 1) + columns <= COLUMNS) {
+        map.on_target[v].vertex = v + columns;
+        map.confidence[v] = 1;
+      }
+    writeCorrespondence(folder_ / name, map);
+  }
+
+  test::ProgramRun evaluate(const std::string& map, std::vector<std::string> more) const {
+    more.insert(more.begin(), {"evaluate", folder_ / map});
+    if (std::find(more.begin(), more.end(), "--target") == more.end())
+      more.insert(more.end(), {"--target", folder_ / "target.off"});
+    return test::run(POSTURE, more);
+  }
+
+  void expectInputError(const test::ProgramRun& end, const std::string& what) const {
+    EXPECT_EQ(end.exit_code, 3);
+    EXPECT_THAT(end.err, HasSubstr(what));
+    EXPECT_TRUE(test::saidWhyInOneLine(end)) << end.err;
+  }
+
+  const test::TemporaryFolder folder_;
+};
+
+TEST_F(Evaluate, PrintsTheFigures) {
+  const auto end = evaluate("identity.csv", {"--truth", "identity"});
+  EXPECT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_THAT(end.out, HasSubstr("mean error x100        0.000\n"));
+  EXPECT_THAT(end.out, HasSubstr("within two edges       100.0 %\n"));
+  EXPECT_THAT(end.out, HasSubstr("accepted               231 of 231 (100.0 %), 0 rejected\n"));
+}
+
+TEST_F(Evaluate, WritesJson) {
+  const auto end = evaluate("shifted.csv",
+                            {"--json", "--truth", "identity", "--mirror", folder_ / "mirror.txt"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  const json figures = json::parse(end.out);
+  EXPECT_NEAR(figures["mean_x100"], 100 / std::sqrt(200.0), 0.1);
+  EXPECT_EQ(figures["accepted"], COLUMNS * (ROWS + 1));
+  EXPECT_EQ(figures["rejected"], ROWS + 1);
+  EXPECT_EQ(figures["edge_histogram"], (std::vector<int>{0, COLUMNS * (ROWS + 1)}));
+  EXPECT_EQ(figures["mirror"]["wrong_side"], false);
+}
+
+TEST_F(Evaluate, WritesFiles) {
+  const auto end = evaluate("shifted.csv", {"--truth", "identity", "-o", folder_ / "out/new"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  const auto text = [&](const std::string& name) {
+    return test::contentOf(folder_ / ("out/new/" + name));
+  };
+  EXPECT_TRUE(json::parse(text("evaluation.json")).contains("curve"));
+  EXPECT_THAT(text("curve.csv"), testing::StartsWith("error,share_below\n0.0000,"));
+  EXPECT_THAT(text("curve.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(text("histogram.svg"), HasSubstr("<svg"));
+}
+
+TEST_F(Evaluate, NothingMappedIsNoError) {
+  writeMap("none.csv", COLUMNS + 1);
+  const auto end = evaluate("none.csv", {"--truth", "identity", "-o", folder_ / "out"});
+  EXPECT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_THAT(end.out, HasSubstr("mean error x100        -\n"));
+}
+
+TEST_F(Evaluate, BadInputIsOneLine) {
+  std::ofstream(folder_ / "far.txt") << "0 0\n1 231\n";
+  std::ofstream(folder_ / "cloud.off") << "OFF\n231 0 0\n"
+                                       << [] {
+                                            std::string rows;
+                                            for (int v = 0; v < VERTICES; ++v)
+                                              rows += std::to_string(v) + " 0 0\n";
+                                            return rows;
+                                          }();
+  expectInputError(evaluate("none.csv", {"--truth", "identity"}), "none.csv");
+  expectInputError(evaluate("identity.csv", {"--truth", folder_ / "none.txt"}), "none.txt");
+  expectInputError(evaluate("identity.csv", {"--truth", folder_ / "far.txt"}), "target vertex 231");
+  expectInputError(
+      evaluate("identity.csv", {"--truth", "identity", "--mirror", folder_ / "far.txt"}),
+      "target vertex 231");
+  writeMesh(folder_ / "small.off", test::grid(4, 4, 1, 1));
+  expectInputError(
+      evaluate("identity.csv", {"--truth", "identity", "--target", folder_ / "small.off"}),
+      "identity.csv: row 25: target vertex 25");
+  expectInputError(
+      evaluate("identity.csv", {"--truth", "identity", "--target", folder_ / "cloud.off"}),
+      "cloud.off: has no faces");
+}
+
+TEST_F(Evaluate, WrongUsageIsTwo) {
+  EXPECT_EQ(evaluate("identity.csv", {}).exit_code, 2);
+  EXPECT_EQ(evaluate("identity.csv", {"--truth", "identity", "--nonsense"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace posture

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/evaluation/pair_list.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace posture {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class PairList : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::vector<BenchmarkPair> read(const std::string& text) const {
+    std::ofstream(folder_ / "pairs.csv", std::ios::binary) << text;
+    return readPairList(folder_ / "pairs.csv");
+  }
+
+  /// The message of the InputError that reading `text` ends in.
+  std::string errorOf(const std::string& text) const {
+    try {
+      read(text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) /
+      ("posture-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+TEST(Csv, ReadsQuotes) {
+  EXPECT_THAT(
+      parseCsv("a,\"b, c\",d\r\n\n\"say \"\"no\"\"\",,\"two\nlines\""),
+      ElementsAre(ElementsAre("a", "b, c", "d"), ElementsAre("say \"no\"", "", "two\nlines")));
+  EXPECT_THAT(parseCsv("a,\n"), ElementsAre(ElementsAre("a", "")));
+  EXPECT_TRUE(parseCsv("").empty());
+  EXPECT_THROW(parseCsv("\"open"), InputError);
+  EXPECT_THROW(parseCsv("\"a\"b,c"), InputError);
+}
+
+TEST_F(PairList, ReadsRows) {
+  const auto pairs = read(
+      "id,family,kind,source,target,truth,mirror_truth,note\n"
+      "a,cat,isometric,m/a.obj,m/b.obj,identity,,\"small, clean\"\n"
+      "b,cat,scan,/abs/c.ply,m/d.ply,t/b.txt,t/b.mirror.txt,\n");
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_EQ(pairs[0].id, "a");
+  EXPECT_EQ(pairs[0].source, folder_ / "m/a.obj");
+  EXPECT_EQ(pairs[0].truth, "identity");
+  EXPECT_TRUE(pairs[0].mirror_truth.empty());
+  EXPECT_EQ(pairs[0].note, "small, clean");
+  EXPECT_EQ(pairs[1].source, "/abs/c.ply");
+  EXPECT_EQ(pairs[1].truth, folder_ / "t/b.txt");
+  EXPECT_EQ(pairs[1].mirror_truth, folder_ / "t/b.mirror.txt");
+}
+
+TEST_F(PairList, ColumnsInAnyOrderAndFew) {
+  const auto pairs = read("target,id,source\nb.obj,x,a.obj\n");
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].source, folder_ / "a.obj");
+  EXPECT_TRUE(pairs[0].truth.empty());
+}
+
+TEST_F(PairList, SaysWhatIsWrong) {
+  const std::string head = "id,source,target\n";
+  EXPECT_THAT(errorOf(""), HasSubstr("pairs.csv: is empty"));
+  EXPECT_THAT(errorOf("id,source\na,b\n"), HasSubstr("no column 'target'"));
+  EXPECT_THAT(errorOf(head + "a,b\n"), HasSubstr("record 1 has 2 fields, the header 3"));
+  EXPECT_THAT(errorOf(head + "a,b,c\na,b,c\n"), HasSubstr("used twice"));
+  EXPECT_THAT(errorOf(head + "../a,b,c\n"), HasSubstr("cannot name a file"));
+  EXPECT_THAT(errorOf(head + "a,,c\n"), HasSubstr("lacks its source"));
+  EXPECT_THAT(errorOf(head + "a,\"b,c\n"), HasSubstr("never closed"));
+  EXPECT_THROW(readPairList(folder_ / "none.csv"), InputError);
+  EXPECT_THROW(readPairList(folder_), InputError);
+}
+
+}  // namespace
+}  // namespace posture

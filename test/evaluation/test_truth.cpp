@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/evaluation/truth.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace posture {
+namespace {
+
+using testing::HasSubstr;
+
+template <class Action>
+std::string errorOf(Action action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Truth, Identity) {
+  const auto pairs = readTruth("identity", 3, 3);
+  ASSERT_EQ(pairs.size(), 3u);
+  EXPECT_EQ(pairs[2].source, 2);
+  EXPECT_EQ(pairs[2].target, 2);
+  EXPECT_THAT(errorOf([] { readTruth("identity", 3, 4); }), HasSubstr("3 source vertices"));
+}
+
+TEST(Truth, FileWithinRange) {
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / "posture-truth.txt";
+  std::ofstream(file) << "0 5\n2 1\n";
+  EXPECT_EQ(readTruth(file, 3, 6).size(), 2u);
+  EXPECT_THAT(errorOf([&] { readTruth(file, 2, 6); }), HasSubstr("source vertex 2"));
+  EXPECT_THAT(errorOf([&] { readTruth(file, 3, 5); }), HasSubstr("target vertex 5"));
+  std::ofstream(file) << "# nothing\n";
+  EXPECT_THAT(errorOf([&] { readTruth(file, 3, 6); }), HasSubstr("posture-truth.txt"));
+  std::filesystem::remove(file);
+  EXPECT_THROW(readTruth(file, 3, 6), InputError);
+}
+
+TEST(Truth, PlacesMustBeOnTheTarget) {
+  const auto check = [](const SurfacePoint& place) {
+    return errorOf([&] { checkOnTarget("map.csv", {SurfacePoint{}, place}, 10, 4); });
+  };
+  EXPECT_EQ(check({9, 3, {0.5, 0.25, 0.25}}), "no error");
+  EXPECT_EQ(check({9, -1, {0, 0, 0}}), "no error");
+  EXPECT_THAT(check({10, -1, {0, 0, 0}}), HasSubstr("map.csv: row 1: target vertex 10"));
+  EXPECT_THAT(check({9, 4, {1, 0, 0}}), HasSubstr("face 4"));
+  EXPECT_THAT(check({9, 3, {2, -1, 0}}), HasSubstr("barycentric"));
+  EXPECT_THAT(check({9, 3, {std::nan(""), 0, 1}}), HasSubstr("barycentric"));
+}
+
+}  // namespace
+}  // namespace posture

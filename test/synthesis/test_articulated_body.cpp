@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "body_checks.h"
+#include <limits>
+#include <omp.h>
+#include <stdexcept>
+
+namespace posture {
+namespace {
+
+using namespace test;
+
+class Bodies : public ::testing::TestWithParam<BodyKind> {};
+INSTANTIATE_TEST_SUITE_P(Kinds,
+                         Bodies,
+                         ::testing::Values(BodyKind::QUADRUPED, BodyKind::HUMAN),
+                         [](const auto& tested) {
+                           return tested.param == BodyKind::HUMAN ? "Human" : "Quadruped";
+                         });
+
+TEST_P(Bodies, AreClosedManifoldAndOfGenusZero) {
+  for (int tessellation = 0; tessellation < 8; ++tessellation) {
+    const ArticulatedBody body = makeBody(bodyOptions(GetParam(), 0, tessellation));
+    const Topology topology = topologyOf(body.mesh);
+    EXPECT_TRUE(topology.manifold) << "tessellation " << tessellation;
+    EXPECT_EQ(topology.rims, 0) << "tessellation " << tessellation;
+    EXPECT_EQ(topology.components, 1) << "tessellation " << tessellation;
+    EXPECT_EQ(topology.euler, 2) << "tessellation " << tessellation;
+    EXPECT_GT(volumeOf(body.mesh), 0.005) << "tessellation " << tessellation;
+    EXPECT_EQ(countSelfIntersections(body.mesh), 0) << "tessellation " << tessellation;
+  }
+}
+
+TEST_P(Bodies, HaveAboutTheVerticesAskedForInWellShapedTriangles) {
+  for (int vertices : {1500, 5000, 10000})
+    for (int tessellation : {0, 3}) {
+      const TriangleMesh mesh = makeBody(bodyOptions(GetParam(), 0, tessellation, vertices)).mesh;
+      EXPECT_NEAR(static_cast<double>(mesh.vertices.rows()), vertices, 0.05 * vertices);
+      EXPECT_GT(smallestAngleOf(mesh), 15.0) << vertices << " vertices";
+    }
+}
+
+TEST_P(Bodies, StandUprightLookForwardAndAreAboutOneLong) {
+  const Points places = makeBody(bodyOptions(GetParam())).mesh.vertices;
+  const Eigen::RowVector3d low = places.colwise().minCoeff(), high = places.colwise().maxCoeff();
+  EXPECT_NEAR(low.z(), 0, 0.02);
+  EXPECT_GT((high - low).maxCoeff(), 0.9);
+  EXPECT_LT((high - low).maxCoeff(), 1.3);
+}
+
+TEST_P(Bodies, AreNearlyButNotExactlySymmetric) {
+  const ArticulatedBody body = makeBody(bodyOptions(GetParam(), 0, 0, 5000));
+  Points reflected = body.rest_position;
+  reflected.col(0) *= -1;
+  double sum = 0, most = 0;
+  for (int i = 0; i < reflected.rows(); i += 5) {
+    const double gap =
+        (body.rest_position.rowwise() - reflected.row(i)).rowwise().norm().minCoeff();
+    sum += gap;
+    most = std::max(most, gap);
+  }
+  // An exactly symmetric body would still be about 0.4 edges away: vertices lie differently.
+  EXPECT_LT(5 * sum / static_cast<double>(reflected.rows()), meanEdgeOf(body.mesh));
+  EXPECT_LT(most, 0.03);
+  const Eigen::RowVector3d centre = body.rest_position.colwise().mean();
+  EXPECT_GT(std::abs(centre.x()), 1e-4);
+}
+
+TEST_P(Bodies, ComeOutTheSameEveryTime) {
+  BodyOptions options = bodyOptions(GetParam(), 4, 2);
+  options.holes = 5;
+  options.noise = 0.001;
+  const ArticulatedBody a = makeBody(options), b = makeBody(options);
+  EXPECT_TRUE(a.mesh.vertices == b.mesh.vertices);
+  EXPECT_TRUE(a.mesh.faces == b.mesh.faces);
+  EXPECT_TRUE(a.rest_position == b.rest_position);
+  EXPECT_EQ(a.bone, b.bone);
+}
+
+TEST_P(Bodies, DoNotDependOnTheNumberOfThreads) {
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const ArticulatedBody a = makeBody(bodyOptions(GetParam(), 4));
+  omp_set_num_threads(4);
+  const ArticulatedBody b = makeBody(bodyOptions(GetParam(), 4));
+  omp_set_num_threads(threads);
+  EXPECT_TRUE(a.mesh.vertices == b.mesh.vertices);
+  EXPECT_TRUE(a.mesh.faces == b.mesh.faces);
+}
+
+TEST_P(Bodies, AreMeshedAnewByAnotherTessellation) {
+  const TriangleMesh a = makeBody(bodyOptions(GetParam())).mesh;
+  const TriangleMesh b = makeBody(bodyOptions(GetParam(), 0, 1)).mesh;
+  EXPECT_FALSE(a.vertices.rows() == b.vertices.rows() && a.vertices == b.vertices);
+  EXPECT_NEAR(volumeOf(a), volumeOf(b), 0.01 * volumeOf(a));
+}
+
+TEST_P(Bodies, DescribeEveryVertexAndBone) {
+  const ArticulatedBody body = makeBody(bodyOptions(GetParam(), 3));
+  const auto n = static_cast<std::size_t>(body.mesh.vertices.rows());
+  EXPECT_EQ(static_cast<std::size_t>(body.rest_position.rows()), n);
+  EXPECT_EQ(body.bone.size(), n);
+  EXPECT_EQ(static_cast<std::size_t>(body.bone_weight.size()), n);
+  EXPECT_EQ(body.bone_motion.size(), body.bone_names.size());
+  std::vector<int> vertices_of(body.bone_names.size(), 0);
+  for (int bone : body.bone) ++vertices_of.at(bone);
+  for (std::size_t b = 0; b < vertices_of.size(); ++b)
+    EXPECT_GT(vertices_of[b], 0) << body.bone_names[b] << " moves nothing most";
+}
+
+TEST(BodyOptionsCheck, RejectsWhatMakesNoBody) {
+  const auto with = [](auto change) {
+    BodyOptions options;
+    change(options);
+    return options;
+  };
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const BodyOptions& options : {with([](auto& o) { o.vertices = 999; }),
+                                     with([](auto& o) { o.holes = -1; }),
+                                     with([](auto& o) { o.hole_radius = -0.1; }),
+                                     with([](auto& o) { o.hole_radius = nan; }),
+                                     with([](auto& o) { o.noise = -1; }),
+                                     with([](auto& o) { o.noise = nan; })})
+    EXPECT_THROW(makeBody(options), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace posture

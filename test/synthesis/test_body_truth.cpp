@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "body_checks.h"
+#include <cmath>
+#include <stdexcept>
+
+namespace posture {
+namespace {
+
+using namespace test;
+
+TEST(GroundTruth, IsTheIdentityOnOneTessellation) {
+  for (BodyKind kind : {BodyKind::QUADRUPED, BodyKind::HUMAN}) {
+    const ArticulatedBody source = makeBody(bodyOptions(kind, 0)),
+                          target = makeBody(bodyOptions(kind, 7));
+    const std::vector<VertexPair> truth = groundTruth(source, target);
+    ASSERT_EQ(static_cast<Eigen::Index>(truth.size()), source.mesh.vertices.rows());
+    for (const VertexPair& pair : truth) ASSERT_EQ(pair.source, pair.target);
+  }
+}
+
+TEST(GroundTruth, OfAnotherTessellationIsWithinAnEdge) {
+  for (BodyKind kind : {BodyKind::QUADRUPED, BodyKind::HUMAN}) {
+    const ArticulatedBody source = makeBody(bodyOptions(kind, 0)),
+                          target = makeBody(bodyOptions(kind, 3, 1));
+    const std::vector<VertexPair> truth = groundTruth(source, target);
+    EXPECT_GT(static_cast<double>(truth.size()),
+              0.995 * static_cast<double>(source.mesh.vertices.rows()));
+    const double edge = meanEdgeOf({target.rest_position, target.mesh.faces});
+    double sum = 0;
+    for (const VertexPair& pair : truth) {
+      const double gap =
+          (source.rest_position.row(pair.source) - target.rest_position.row(pair.target)).norm();
+      ASSERT_LE(gap, edge);
+      sum += gap;
+    }
+    EXPECT_LT(sum / static_cast<double>(truth.size()), 0.5 * edge);
+  }
+}
+
+// The one and only nearest, against looking at all of them.
+TEST(GroundTruth, IsTheNearestVertexByRestPlace) {
+  const ArticulatedBody source = makeBody(bodyOptions(BodyKind::QUADRUPED, 0, 0, 1000));
+  const ArticulatedBody target = makeBody(bodyOptions(BodyKind::QUADRUPED, 2, 5, 2000));
+  for (const VertexPair& pair : groundTruth(source, target)) {
+    int nearest = -1;
+    (target.rest_position.rowwise() - source.rest_position.row(pair.source))
+        .rowwise()
+        .squaredNorm()
+        .minCoeff(&nearest);
+    ASSERT_EQ(pair.target, nearest);
+  }
+}
+
+TEST(GroundTruth, LeavesOutWhatTheTargetLacks) {
+  const ArticulatedBody source = makeBody(bodyOptions(BodyKind::HUMAN));
+  BodyOptions options = bodyOptions(BodyKind::HUMAN, 2);
+  options.holes = 4;
+  options.hole_radius = 0.06;
+  const ArticulatedBody target = makeBody(options);
+  const auto lost = source.mesh.vertices.rows() - target.mesh.vertices.rows();
+  const auto left_out =
+      source.mesh.vertices.rows() - static_cast<Eigen::Index>(groundTruth(source, target).size());
+  EXPECT_GT(left_out, lost / 3);  // those near a rim are within an edge of it
+  EXPECT_LE(left_out, lost);
+}
+
+TEST(MirrorTruth, TakesLeftForRight) {
+  for (BodyKind kind : {BodyKind::QUADRUPED, BodyKind::HUMAN}) {
+    const ArticulatedBody body = makeBody(bodyOptions(kind));
+    const std::vector<VertexPair> mirror = mirrorTruth(body, body);
+    EXPECT_GT(static_cast<double>(mirror.size()),
+              0.98 * static_cast<double>(body.mesh.vertices.rows()));
+    for (const VertexPair& pair : mirror) {
+      const std::string &from = body.bone_names[body.bone[pair.source]],
+                        &to = body.bone_names[body.bone[pair.target]];
+      ASSERT_LT((body.rest_position.row(pair.source) - body.rest_position.row(pair.target))
+                    .tail<2>()
+                    .norm(),
+                0.06);
+      if (from == "forearm_r") {
+        EXPECT_NE(to.substr(to.size() - 2), "_r") << to;
+      }
+      if (std::abs(body.rest_position(pair.source, 0)) > 0.05) {
+        EXPECT_LT(body.rest_position(pair.source, 0) * body.rest_position(pair.target, 0), 0)
+            << from << " -> " << to;
+      }
+    }
+  }
+}
+
+TEST(GroundTruth, NeedsATargetWithFaces) {
+  EXPECT_THROW(groundTruth(makeBody(bodyOptions(BodyKind::HUMAN)), ArticulatedBody()),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace posture

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/io/correspondence_io.h>
+#include <posture/io/mesh_io.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/program.h"
+#include "body_checks.h"
+
+namespace posture {
+namespace {
+
+using namespace test;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+ProgramRun synthesize(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "synthesize");
+  return run(PROGRAM_DIR "/posture", arguments);
+}
+
+TEST(SynthesizeVerb, WritesShapesTruthAndTheListOfPairs) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "new/made";
+  const ProgramRun ended = synthesize({"-o",
+                                       out,
+                                       "--kind",
+                                       "human",
+                                       "--pose",
+                                       "0",
+                                       "--pose",
+                                       "3",
+                                       "--vertices",
+                                       "1500",
+                                       "--quiet"});
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_EQ(ended.err, "");
+  EXPECT_EQ(ended.out, "");
+  const TriangleMesh source = readMesh(out + "/human-pose0.ply").mesh;
+  const TriangleMesh target = readMesh(out + "/human-pose3.ply").mesh;
+  EXPECT_TRUE(source.faces == target.faces);
+  const auto truth = readVertexPairs(out + "/human-pose0-pose3.txt");
+  ASSERT_EQ(static_cast<Eigen::Index>(truth.size()), source.vertices.rows());
+  for (const VertexPair& pair : truth) ASSERT_EQ(pair.source, pair.target);
+  EXPECT_GT(readVertexPairs(out + "/human-pose0-pose3-mirror.txt").size(), 1400u);
+  EXPECT_EQ(contentOf(out + "/pairs.csv"),
+            "id,family,kind,source,target,truth,mirror_truth,note\n"
+            "human-pose0-pose3,human,isometric,human-pose0.ply,human-pose3.ply,"
+            "human-pose0-pose3.txt,human-pose0-pose3-mirror.txt,"
+            "synthetic; tessellations 0 and 0\n");
+}
+
+TEST(SynthesizeVerb, MeshesAnewAndCutsHolesWhereAsked) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "made";
+  const ProgramRun ended = synthesize({"-o",
+                                       out,
+                                       "--pose",
+                                       "0",
+                                       "2",
+                                       "--vertices",
+                                       "1500",
+                                       "--remesh",
+                                       "--holes",
+                                       "3",
+                                       "--hole-radius",
+                                       "0.03",
+                                       "--noise",
+                                       "0.0005",
+                                       "--json"});
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_THAT(ended.out, HasSubstr("\"true_pairs\""));
+  for (const char* name : {"/quadruped-pose0.ply", "/quadruped-pose2.ply"})
+    EXPECT_EQ(topologyOf(readMesh(out + name).mesh).rims, 3) << name;
+  EXPECT_THAT(contentOf(out + "/pairs.csv"), HasSubstr(",noise,"));
+  EXPECT_THAT(contentOf(out + "/pairs.csv"), HasSubstr("tessellations 0 and 1"));
+}
+
+TEST(SynthesizeVerb, WritesTheSameBytesForTheSameSeed) {
+  const TemporaryFolder folder;
+  const auto made = [&](const std::string& name, const std::string& seed) {
+    synthesize(
+        {"-o", folder / name, "--pose", "4", "--vertices", "1000", "--holes", "2", "--seed", seed});
+    return contentOf((folder / name) + "/quadruped-pose4.ply");
+  };
+  const std::string first = made("a", "7");
+  EXPECT_GT(first.size(), 1000u);
+  EXPECT_EQ(made("b", "7"), first);
+  EXPECT_NE(made("c", "8"), first);
+}
+
+TEST(SynthesizeVerb, WritesNoPairsForOneShape) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(synthesize({"-o", folder / ".", "--pose", "5", "--vertices", "1000"}).exit_code, 0);
+  EXPECT_THAT(folder.names(), ElementsAre("quadruped-pose5.ply"));
+}
+
+TEST(SynthesizeVerb, RefusesWhatCannotBeMeant) {
+  const TemporaryFolder folder;
+  const std::vector<std::vector<std::string>> wrong = {{"--kind", "fish"},
+                                                       {"--pose", "1", "1"},
+                                                       {"--pose", "-1"},
+                                                       {"--vertices", "10"},
+                                                       {"--tessellation", "1", "2", "3"},
+                                                       {"--tessellation", "1", "2", "--remesh"},
+                                                       {"--holes", "-1"},
+                                                       {"--holes", "900", "--vertices", "1000"},
+                                                       {"--noise", "nan"},
+                                                       {"--unknown"}};
+  for (std::vector<std::string> arguments : wrong) {
+    const std::string last = arguments.back();
+    arguments.insert(arguments.end(), {"-o", folder / "made"});
+    const ProgramRun ended = synthesize(arguments);
+    EXPECT_EQ(ended.exit_code, 2) << last;
+    EXPECT_TRUE(saidWhyInOneLine(ended)) << last << ": " << ended.err;
+  }
+  EXPECT_EQ(synthesize({"--pose", "1"}).exit_code, 2);
+}
+
+TEST(SynthesizeVerb, SaysWhereItCannotWrite) {
+  const ProgramRun ended = synthesize({"-o", "/proc/nowhere", "--vertices", "1000"});
+  EXPECT_EQ(ended.exit_code, 3);
+  EXPECT_TRUE(saidWhyInOneLine(ended));
+  EXPECT_THAT(ended.err, HasSubstr("/proc/nowhere"));
+}
+
+}  // namespace
+}  // namespace posture
