@@ -46,6 +46,8 @@ Hypothesis evaluateCandidate(const EmbeddedShape& source,
                              double threshold) {
   Hypothesis h;
   h.candidate = candidate;
+  const double m = static_cast<double>(consistency.rows());
+  h.consistency = m > 1 ? (consistency.sum() - m) / (m * (m - 1)) : 0;
   h.kernel = consistencyKernel(consistency, threshold);
   h.map = computeDenseMap(source, target, candidate, h.kernel, threshold);
   h.common = computeCommonMeshes(

@@ -14,6 +14,7 @@ namespace posture {
 /// A candidate with all that speaks for and against it.
 struct Hypothesis {
   Candidate candidate;
+  double consistency = 0;   ///< mean of C off the diagonal
   std::vector<int> kernel;  ///< indices into candidate.matches
   DenseMap map;
   CommonMeshes common;

@@ -39,6 +39,7 @@ HypothesisSummary summarize(const Hypothesis& h, const Side& source, const Side&
   summary.axis_signs = h.candidate.axis_signs;
   summary.assignment_cost = h.candidate.cost;
   summary.matched_samples = static_cast<int>(h.candidate.matches.size());
+  summary.consistency = h.consistency;
   summary.kernel_samples = static_cast<int>(h.kernel.size());
   for (int t : h.map.target_vertex) summary.accepted_vertices += t >= 0;
   summary.common_vertices = static_cast<int>(h.common.from_source.source.rows());

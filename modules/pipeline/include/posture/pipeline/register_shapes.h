@@ -28,6 +28,7 @@ struct HypothesisSummary {
   std::array<int, 3> axis_signs{};     ///< +1 or -1 per axis of the canonical frame
   double assignment_cost = 0;          ///< E_H of section 4.1, in units of the source
   int matched_samples = 0;             ///< by the assignment
+  double consistency = 0;              ///< mean of the matrix C, in [0, 1] (section 4.2)
   int kernel_samples = 0;              ///< left by the consistency kernel (section 4.2)
   int accepted_vertices = 0;           ///< of the source's main surface, with a dense match
   int common_vertices = 0;             ///< of the common meshes

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/evaluation/statistics.h>
+
+#include "benchmark_report.h"
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace posture::app {
+namespace {
+
+/// The figures at `pointer` of those results that have one.
+std::vector<double> figures(const std::vector<Json>& results, const std::string& pointer) {
+  std::vector<double> found;
+  for (const Json& result : results) {
+    const double figure = numberAt(result, pointer);
+    if (std::isfinite(figure)) found.push_back(figure);
+  }
+  return found;
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? std::nan("") : *std::max_element(values.begin(), values.end());
+}
+
+int countTrue(const std::vector<Json>& results, const std::string& pointer) {
+  const Json::json_pointer place(pointer);
+  return static_cast<int>(std::count_if(results.begin(), results.end(), [&](const Json& result) {
+    return result.contains(place) && result.at(place) == true;
+  }));
+}
+
+/// The mean of the pairs' curves, each pair counting alike.
+Json meanCurve(const std::vector<Json>& results) {
+  std::vector<double> sum;
+  int curves = 0;
+  for (const Json& result : results) {
+    if (!result.contains("errors")) continue;
+    const auto curve = result["errors"]["curve"].get<std::vector<double>>();
+    sum.resize(curve.size(), 0.0);
+    for (std::size_t i = 0; i < curve.size(); ++i) sum[i] += curve[i];
+    ++curves;
+  }
+  for (double& value : sum) value /= curves;
+  return sum;
+}
+
+/// Share of the measured points 0, 1, 2, ... edges off, each pair counting alike.
+Json meanHistogram(const std::vector<Json>& results) {
+  std::vector<double> sum;
+  int histograms = 0;
+  for (const Json& result : results) {
+    const double points = numberAt(result, "/errors/measured_pairs");
+    if (!(points > 0)) continue;
+    const auto counts = result["errors"]["edge_histogram"].get<std::vector<int>>();
+    sum.resize(std::max(sum.size(), counts.size()), 0.0);
+    for (std::size_t i = 0; i < counts.size(); ++i) sum[i] += counts[i] / points;
+    ++histograms;
+  }
+  for (double& value : sum) value /= histograms;
+  return sum;
+}
+
+Json stageMedians(const std::vector<Json>& results) {
+  Json medians = Json::object();
+  for (const Json& result : results) {
+    if (!result.contains("stages")) continue;
+    for (const auto& stage : result["stages"].items())
+      if (!medians.contains(stage.key()))
+        medians[stage.key()] = percentile(figures(results, "/stages/" + stage.key()), 0.5);
+  }
+  return medians;
+}
+
+}  // namespace
+
+Json summarizeFamily(const std::string& family, const std::vector<Json>& results) {
+  const auto median = [&](const char* pointer) {
+    return percentile(figures(results, pointer), 0.5);
+  };
+  std::vector<double> shares;
+  for (const Json& result : results)
+    if (result.contains("accepted"))
+      shares.push_back(numberAt(result, "/accepted") / numberAt(result, "/source_vertices"));
+  const auto run = figures(results, "/seconds").size();
+  return {{"family", family},
+          {"pairs", results.size()},
+          {"run", run},
+          {"failed", results.size() - run},
+          {"source_vertices", median("/source_vertices")},
+          {"samples", median("/samples")},
+          {"judged", figures(results, "/errors/mean_x100").size()},
+          {"median_mean_x100", median("/errors/mean_x100")},
+          {"compared", figures(results, "/candidates/best_mean_x100").size()},
+          {"median_best_x100", median("/candidates/best_mean_x100")},
+          {"largest_best_x100", largest(figures(results, "/candidates/best_mean_x100"))},
+          {"chose_wrong", countTrue(results, "/candidates/chose_wrong")},
+          {"mirror_known", figures(results, "/mirror/mean_to_mirror_x100").size()},
+          {"wrong_side", countTrue(results, "/mirror/wrong_side")},
+          {"mean_share_accepted", mean(shares)},
+          {"median_accepted", median("/accepted")},
+          {"median_rejected", median("/rejected")},
+          {"median_share_within_two_edges", median("/errors/share_within_two_edges")},
+          {"median_seconds", median("/seconds")},
+          {"largest_seconds", largest(figures(results, "/seconds"))},
+          {"largest_memory_mib", largest(figures(results, "/peak_memory_mib"))},
+          {"stages", stageMedians(results)},
+          {"curve", meanCurve(results)},
+          {"edge_histogram", meanHistogram(results)}};
+}
+
+Json summarizeFamilies(const std::vector<Json>& results) {
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<Json>> members;
+  for (const Json& result : results) {
+    const std::string family = result.value("family", "");
+    if (members.count(family) == 0) order.push_back(family);
+    members[family].push_back(result);
+  }
+  Json families = Json::array();
+  for (const std::string& family : order)
+    families.push_back(summarizeFamily(family, members[family]));
+  return families;
+}
+
+}  // namespace posture::app

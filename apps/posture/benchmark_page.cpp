@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/report/table.h>
+
+#include "benchmark_report.h"
+#include <algorithm>
+#include <set>
+
+namespace posture::app {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+std::string text(const Json& json, const char* key) { return json.value(key, ""); }
+
+/// "3 of 9", or "-" where nothing was counted.
+std::string countOf(const Json& json, const char* count, const char* of) {
+  const int whole = json.value(of, 0);
+  return whole == 0 ? "-" : std::to_string(json.value(count, 0)) + " of " + std::to_string(whole);
+}
+
+std::string yesNo(const Json& json, const char* pointer) {
+  const Json::json_pointer place(pointer);
+  if (!json.contains(place)) return "-";
+  return json.at(place) == true ? "yes" : "no";
+}
+
+std::string familyTable(const Json& families) {
+  std::vector<Cells> rows;
+  rows.reserve(families.size());
+  for (const Json& f : families)
+    rows.push_back({text(f, "family"),
+                    std::to_string(f.value("pairs", 0)),
+                    std::to_string(f.value("failed", 0)),
+                    formatFixed(numberAt(f, "/median_mean_x100"), 2),
+                    formatFixed(numberAt(f, "/median_best_x100"), 2),
+                    formatFixed(numberAt(f, "/largest_best_x100"), 2),
+                    countOf(f, "chose_wrong", "compared"),
+                    countOf(f, "wrong_side", "mirror_known"),
+                    percent(numberAt(f, "/mean_share_accepted")),
+                    percent(numberAt(f, "/median_share_within_two_edges")),
+                    formatFixed(numberAt(f, "/median_seconds"), 1),
+                    formatFixed(numberAt(f, "/largest_memory_mib"), 0)});
+  return toMarkdown({{"family",
+                      "pairs",
+                      "failed",
+                      "error, median",
+                      "best, median",
+                      "best, largest",
+                      "chose wrong",
+                      "wrong side",
+                      "accepted",
+                      "within 2 edges",
+                      "s, median",
+                      "MiB, largest"},
+                     rows}) +
+         "\nError: mean over a pair's accepted points of the geodesic distance on the target to "
+         "the "
+         "true vertex, divided by the square root of the target's area, times 100. Best: the same "
+         "for the best of the alignment candidates, on at most 1,000 evenly spread true pairs; a "
+         "candidate counts when it maps at least a quarter as many of them as the one that maps "
+         "most. Chose wrong: the chosen candidate's error on those pairs is more than 1.5 times "
+         "the "
+         "best one's and more than 2 above it. Wrong side: the map is nearer to the left-right "
+         "mirrored answer than to the true one, where both are known. Accepted: share of the "
+         "source's vertices with a counterpart. Within 2 edges: share of the accepted points at "
+         "most "
+         "two edges from the true vertex. Failed: not run (the input is not supported) or failed; "
+         "the reason is in the table of pairs. Seconds include reading the files; memory is the "
+         "peak of the process that registered the pair.\n";
+}
+
+struct PaperRow {
+  const char* family;  ///< ours of the same shapes; empty: we do not have them
+  Cells cells;         ///< shapes, vertices, samples, accepted, rejected, within 2 edges, time
+};
+
+/// Section 6.1 of Wuhrer, Shu and Bose 2009. What it does not say is "-".
+const std::vector<PaperRow>& paperRows() {
+  static const std::vector<PaperRow> rows{
+      {"", {"alien a-b", "6858", "-", "1094", "5764", "large errors", "35 min"}},
+      {"", {"alien a-c", "6858", "-", "2148", "4710", "nearly all", "35 min"}},
+      {"", {"alien a-d", "6858", "-", "1928", "4930", "nearly all", "35 min"}},
+      {"cat", {"cat", "7207", "2000", "-", "-", "-", "< 10 min"}},
+      {"horse", {"horse", "8431", "2000", "-", "-", "-", "< 10 min"}},
+      {"gorilla", {"gorilla", "2028-2046", "1000", "-", "-", "-", "< 10 min"}},
+      {"centaur", {"centaur", "3400", "1000", "-", "-", "-", "< 10 min"}},
+      {"holes", {"many small holes", "21338, 25658", "2050", "-", "-", "-", "80 min"}}};
+  return rows;
+}
+
+Cells ourRow(const Json& f) {
+  return {text(f, "family"),
+          "ours",
+          formatFixed(numberAt(f, "/source_vertices"), 0),
+          formatFixed(numberAt(f, "/samples"), 0),
+          formatFixed(numberAt(f, "/median_accepted"), 0),
+          formatFixed(numberAt(f, "/median_rejected"), 0),
+          percent(numberAt(f, "/median_share_within_two_edges")),
+          formatFixed(numberAt(f, "/median_seconds"), 1) + " s"};
+}
+
+std::string paperTable(const Json& families) {
+  std::vector<Cells> rows;
+  std::set<std::string> shown;
+  for (const PaperRow& paper : paperRows()) {
+    rows.push_back(paper.cells);
+    rows.back().insert(rows.back().begin() + 1, "paper");
+    for (const Json& f : families)
+      if (f.value("family", "") == paper.family && f.value("run", 0) > 0) {
+        rows.push_back(ourRow(f));
+        shown.insert(paper.family);
+      }
+  }
+  for (const Json& f : families)
+    if (shown.count(f.value("family", "")) == 0 && f.value("run", 0) > 0) rows.push_back(ourRow(f));
+  return toMarkdown({{"shapes",
+                      "whose",
+                      "vertices",
+                      "samples",
+                      "accepted",
+                      "rejected",
+                      "within 2 edges",
+                      "time"},
+                     rows}) +
+         "\nThe paper's figures are those of its section 6.1, for single pairs; accepted is its "
+         "vertices less those it rejected. Its alien and its shapes with holes are not in our "
+         "list; "
+         "our family of holes has large holes and noise, too. Ours are medians over the pairs of a "
+         "family. The error in edges is the least number of edges of the target between the vertex "
+         "found and the true one; rejected points have none.\n";
+}
+
+std::string pairTable(const std::vector<Json>& results) {
+  std::vector<Cells> rows;
+  rows.reserve(results.size());
+  for (const Json& r : results)
+    rows.push_back({text(r, "id"),
+                    text(r, "status"),
+                    formatFixed(numberAt(r, "/source_vertices"), 0),
+                    formatFixed(numberAt(r, "/target_vertices"), 0),
+                    formatFixed(numberAt(r, "/errors/mean_x100"), 2),
+                    formatFixed(numberAt(r, "/errors/median_x100"), 2),
+                    formatFixed(numberAt(r, "/candidates/chosen_mean_x100"), 2),
+                    formatFixed(numberAt(r, "/candidates/best_mean_x100"), 2),
+                    formatFixed(numberAt(r, "/chosen"), 0),
+                    formatFixed(numberAt(r, "/candidates/best"), 0),
+                    yesNo(r, "/candidates/chose_wrong"),
+                    yesNo(r, "/mirror/wrong_side"),
+                    formatFixed(numberAt(r, "/accepted"), 0),
+                    formatFixed(numberAt(r, "/rejected"), 0),
+                    percent(numberAt(r, "/errors/share_within_two_edges")),
+                    formatFixed(numberAt(r, "/seconds"), 1),
+                    formatFixed(numberAt(r, "/peak_memory_mib"), 0),
+                    text(r, "message")});
+  return toMarkdown({{"pair",
+                      "status",
+                      "source",
+                      "target",
+                      "error",
+                      "median",
+                      "chosen, sampled",
+                      "best, sampled",
+                      "chosen",
+                      "best",
+                      "chose wrong",
+                      "wrong side",
+                      "accepted",
+                      "rejected",
+                      "within 2 edges",
+                      "s",
+                      "MiB",
+                      "message"},
+                     rows}) +
+         "\nError and median are those of the whole map, to sub-vertex precision; \"sampled\" ones "
+         "those of the candidates, vertex to vertex, on at most 1,000 pairs. \"chosen\" and "
+         "\"best\" "
+         "are the candidates' numbers. Maps far from the truth on large meshes are measured on a "
+         "part of the pairs: `measured_pairs` in results.json.\n";
+}
+
+/// How the deformed source sits on the target: all there is to say without a truth.
+std::string fitTable(const std::vector<Json>& results) {
+  std::vector<Cells> rows;
+  for (const Json& r : results)
+    if (r.contains("fit") && !r.contains("errors"))
+      rows.push_back({text(r, "id"),
+                      percent(numberAt(r, "/accepted") / numberAt(r, "/source_vertices")),
+                      formatFixed(numberAt(r, "/fit/median_distance"), 2),
+                      formatFixed(numberAt(r, "/fit/percentile_95_distance"), 2),
+                      formatFixed(numberAt(r, "/fit/mean_stretch"), 3),
+                      formatFixed(numberAt(r, "/fit/percentile_95_stretch"), 3)});
+  if (rows.empty()) return {};
+  return "\n## Pairs without a truth\n\n" +
+         toMarkdown({{"pair",
+                      "accepted",
+                      "distance, median",
+                      "distance, 95 %",
+                      "stretch, mean",
+                      "stretch, 95 %"},
+                     rows}) +
+         "\nDistance: from the deformed source's vertices to the nearest vertex of the target, in "
+         "mean edge lengths of the target. Stretch: |log| of an edge's length after and before.\n";
+}
+
+std::string stageTable(const Json& families) {
+  Cells stages;
+  for (const Json& f : families)
+    for (const auto& stage : f["stages"].items())
+      if (std::find(stages.begin(), stages.end(), stage.key()) == stages.end())
+        stages.push_back(stage.key());
+  if (stages.empty()) return {};
+  std::vector<Cells> rows;
+  for (const Json& f : families) {
+    if (f.value("run", 0) == 0) continue;
+    Cells row{text(f, "family")};
+    for (const std::string& stage : stages)
+      row.push_back(formatFixed(numberAt(f, "/stages/" + stage), 2));
+    rows.push_back(row);
+  }
+  Cells header{"family"};
+  for (const std::string& stage : stages) header.push_back(stage);
+  return "\n## Seconds by stage\n\n" + toMarkdown({header, rows}) + "\nMedians over the pairs.\n";
+}
+
+}  // namespace
+
+std::string benchmarkPage(const std::vector<Json>& results,
+                          const Json& families,
+                          std::size_t listed) {
+  double threads = 0;
+  for (const Json& r : results) threads = std::max(threads, r.value("threads", 0.0));
+  std::string page = "# Benchmark\n\n" + std::to_string(results.size()) + " of the list's " +
+                     std::to_string(listed) + " pairs, posture " POSTURE_VERSION;
+  if (threads > 0) page += ", " + formatFixed(threads, 0) + " threads";
+  page += ".\n\n## Families\n\n" + familyTable(families);
+  page +=
+      "\n![Share of points with error below x](curves.svg)\n\n"
+      "![Share of accepted points by error in edges](histogram.svg)\n";
+  page += "\n## The paper's own figures\n\n" + paperTable(families);
+  page += "\n## Pairs\n\n" + pairTable(results);
+  return page + fitTable(results) + stageTable(families);
+}
+
+}  // namespace posture::app

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "error_json.h"
+#include <filesystem>
+#include <vector>
+
+namespace posture::app {
+
+/// What the results of one family come to: medians over its pairs, counts, largest values.
+/// `results` are what runPair() and failedPair() made, all of one family.
+Json summarizeFamily(const std::string& family, const std::vector<Json>& results);
+
+/// Families in the order of their first pair.
+Json summarizeFamilies(const std::vector<Json>& results);
+
+/// RESULTS.md: the tables a person reads.
+std::string benchmarkPage(const std::vector<Json>& results,
+                          const Json& families,
+                          std::size_t listed);
+
+/// Writes results.csv, results.json, RESULTS.md, curves.svg and histogram.svg into `folder`;
+/// returns what results.json holds. \param listed  pairs in the list, with a result or without.
+Json writeBenchmarkReport(const std::vector<Json>& results,
+                          std::size_t listed,
+                          const std::filesystem::path& folder);
+
+}  // namespace posture::app

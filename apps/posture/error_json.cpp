@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "error_json.h"
+
+#include <posture/evaluation/statistics.h>
+#include <posture/report/table.h>
+
+#include <cmath>
+#include <limits>
+
+namespace posture::app {
+
+Json toJson(const MapErrors& errors) {
+  const auto x100 = [](double error) { return 100 * error; };
+  const double share_accepted = errors.source_vertices > 0
+                                    ? static_cast<double>(errors.accepted) / errors.source_vertices
+                                    : 0.0;
+  return {{"mean_x100", x100(mean(errors.relative_error))},
+          {"median_x100", x100(percentile(errors.relative_error, 0.5))},
+          {"percentile_95_x100", x100(percentile(errors.relative_error, 0.95))},
+          {"source_vertices", errors.source_vertices},
+          {"accepted", errors.accepted},
+          {"rejected", errors.source_vertices - errors.accepted},
+          {"share_accepted", share_accepted},
+          {"true_pairs", errors.true_pairs},
+          {"mapped_pairs", errors.mapped_pairs},
+          {"measured_pairs", errors.relative_error.size()},
+          {"share_within_two_edges", shareWithinTwoEdges(errors)},
+          {"edge_histogram", edgeHistogram(errors)},
+          {"curve", errorCurve(errors)}};
+}
+
+Json toJson(const MirrorComparison& comparison) {
+  return {{"pairs", comparison.pairs},
+          {"mean_to_truth_x100", 100 * comparison.mean_to_truth},
+          {"mean_to_mirror_x100", 100 * comparison.mean_to_mirror},
+          {"share_nearer_mirror", comparison.share_nearer_mirror},
+          {"wrong_side", comparison.wrong_side}};
+}
+
+double numberAt(const Json& document, const std::string& pointer) {
+  const Json::json_pointer place(pointer);
+  if (!document.contains(place) || !document.at(place).is_number())
+    return std::numeric_limits<double>::quiet_NaN();
+  return document.at(place).get<double>();
+}
+
+std::string percent(double share, int decimals) {
+  return std::isfinite(share) ? formatFixed(100 * share, decimals) + " %" : "-";
+}
+
+}  // namespace posture::app

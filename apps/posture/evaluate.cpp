@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/evaluation/truth.h>
+#include <posture/io/correspondence_io.h>
+#include <posture/io/mesh_io.h>
+#include <posture/report/table.h>
+
+#include "error_json.h"
+#include "error_plots.h"
+#include "folder.h"
+#include "verbs.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+namespace posture::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct EvaluateOptions {
+  fs::path map, truth, target, mirror, folder;
+};
+
+TargetMetric makeMetric(const fs::path& path, const TriangleMesh& mesh) {
+  try {
+    return TargetMetric(mesh);
+  } catch (const InputError& error) {
+    throw InputError(path.string() + ": " + error.what());
+  }
+}
+
+Json measure(const EvaluateOptions& options) {
+  const TriangleMesh target = readMesh(options.target).mesh;
+  const std::vector<SurfacePoint> map = readCorrespondence(options.map).on_target;
+  const int n = static_cast<int>(map.size()), m = static_cast<int>(target.vertices.rows());
+  checkOnTarget(options.map.string(), map, m, static_cast<int>(target.faces.rows()));
+  const std::vector<VertexPair> truth = readTruth(options.truth, n, m);
+  std::vector<VertexPair> mirror_truth;
+  if (!options.mirror.empty()) mirror_truth = readTruth(options.mirror, n, m);
+
+  const TargetMetric metric = makeMetric(options.target, target);
+  Json json = toJson(measureErrors(metric, map, truth));
+  if (!mirror_truth.empty())
+    json["mirror"] = toJson(compareWithMirror(metric, map, truth, mirror_truth));
+  return json;
+}
+
+/// The curve's value at one of its places.
+double curveAt(const Json& json, double place) {
+  const std::vector<double> places = curvePlaces();
+  const auto found = std::lower_bound(places.begin(), places.end(), place - 1e-9);
+  return json["curve"][found - places.begin()];
+}
+
+void printFigures(const Json& json) {
+  const auto count = [&](const char* key) { return json[key].get<int>(); };
+  std::printf("mean error x100        %s\n", formatFixed(numberAt(json, "/mean_x100"), 3).c_str());
+  std::printf("median x100            %s\n",
+              formatFixed(numberAt(json, "/median_x100"), 3).c_str());
+  std::printf("95th percentile x100   %s\n",
+              formatFixed(numberAt(json, "/percentile_95_x100"), 3).c_str());
+  for (double place : {0.01, 0.02, 0.05, 0.1, 0.25})
+    std::printf("error below %-4g       %s\n", place, percent(curveAt(json, place)).c_str());
+  std::printf("accepted               %d of %d (%s), %d rejected\n",
+              count("accepted"),
+              count("source_vertices"),
+              percent(json["share_accepted"]).c_str(),
+              count("rejected"));
+  std::printf("true pairs             %d, mapped %d, measured %d\n",
+              count("true_pairs"),
+              count("mapped_pairs"),
+              count("measured_pairs"));
+  std::printf("within two edges       %s\n",
+              percent(numberAt(json, "/share_within_two_edges")).c_str());
+  std::printf("points by edges off   ");
+  const auto histogram = json["edge_histogram"].get<std::vector<int>>();
+  for (std::size_t edges = 0; edges < std::min<std::size_t>(histogram.size(), 10); ++edges)
+    std::printf(" %zu:%d", edges, histogram[edges]);
+  std::printf("%s\n", histogram.size() > 10 ? " ..." : "");
+  if (!json.contains("mirror")) return;
+  const Json& mirror = json["mirror"];
+  std::printf(
+      "side                   %s (mean x100 to the truth %s, to its mirror image %s; %s "
+      "nearer to the mirror image)\n",
+      mirror["wrong_side"] == true ? "wrong" : "right",
+      formatFixed(numberAt(mirror, "/mean_to_truth_x100"), 3).c_str(),
+      formatFixed(numberAt(mirror, "/mean_to_mirror_x100"), 3).c_str(),
+      percent(mirror["share_nearer_mirror"]).c_str());
+}
+
+void writeFigures(const fs::path& folder, const Json& json) {
+  makeFolder(folder);
+  writeText(folder / "evaluation.json", json.dump(1) + "\n");
+  const auto curve = json["curve"].get<std::vector<double>>();
+  const std::vector<double> places = curvePlaces();
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    rows.push_back({formatFixed(places[i], 4), formatFixed(curve[i], 6)});
+  writeText(folder / "curve.csv", toCsv({{"error", "share_below"}, rows}));
+  std::vector<double> shares;
+  for (int points : json["edge_histogram"].get<std::vector<int>>())
+    shares.push_back(points / json["measured_pairs"].get<double>());
+  writeText(folder / "curve.svg", curvePlot({{"map", curve}}));
+  writeText(folder / "histogram.svg", histogramPlot({{"map", shares}}));
+}
+
+void evaluate(const EvaluateOptions& options, const Common& common) {
+  const Json json = measure(options);
+  if (!options.folder.empty()) writeFigures(options.folder, json);
+  if (common.json)
+    std::cout << json.dump(1) << '\n';
+  else
+    printFigures(json);
+}
+
+}  // namespace
+
+void addEvaluate(CLI::App& app, Common& common) {
+  auto options = std::make_shared<EvaluateOptions>();
+  CLI::App* verb = app.add_subcommand("evaluate", "Say how far a correspondence is from the truth");
+  verb->add_option("CORRESPONDENCE", options->map, "correspondence.csv as register writes it")
+      ->required();
+  verb->add_option("--truth", options->truth, "File of `source target` rows, or: identity")
+      ->required();
+  verb->add_option("--target", options->target, "The target mesh")->required();
+  verb->add_option("--mirror", options->mirror, "As --truth, for the left-right mirrored answer");
+  verb->add_option("-o,--output", options->folder, "Folder for evaluation.json, curves and plots");
+  verb->callback([options, &common] { evaluate(*options, common); });
+}
+
+}  // namespace posture::app

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "folder.h"
+
+#include <posture/core/error.h>
+#include <posture/io/atomic_file.h>
+
+#include <system_error>
+
+namespace posture::app {
+
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(folder.string() + ": cannot be made (" + error.message() + ")");
+}
+
+void writeText(const std::filesystem::path& path, const std::string& text) {
+  AtomicFile file(path);
+  file.stream() << text;
+  file.commit();
+}
+
+}  // namespace posture::app

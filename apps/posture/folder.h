@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace posture::app {
+
+/// Makes the folder with its parents. \throws InputError  it cannot be made.
+void makeFolder(const std::filesystem::path& folder);
+
+/// Writes a whole text file or none.
+void writeText(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace posture::app

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/core/parallel.h>
+#include <posture/evaluation/target_metric.h>
+#include <posture/mesh/edges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace posture {
+namespace {
+
+/// Breadth-first search over a mesh's edges, with memory that is reused from one start to the next.
+class EdgeSearch {
+ public:
+  EdgeSearch(const std::vector<int>& begin, const std::vector<int>& neighbors)
+      : begin_(begin), neighbors_(neighbors), steps_(begin.size() - 1, -1) {}
+
+  /// Runs until all of `goals` are reached (each may be named more than once).
+  void run(int start, const std::vector<int>& goals) {
+    for (int v : queue_) steps_[v] = -1;
+    queue_.assign(1, start);
+    steps_[start] = 0;
+    std::size_t open_goal = 0;
+    for (std::size_t next = 0; next < queue_.size(); ++next) {
+      while (open_goal < goals.size() && steps_[goals[open_goal]] >= 0) ++open_goal;
+      if (open_goal == goals.size()) return;
+      const int v = queue_[next];
+      for (int i = begin_[v]; i < begin_[v + 1]; ++i) {
+        if (steps_[neighbors_[i]] >= 0) continue;
+        steps_[neighbors_[i]] = steps_[v] + 1;
+        queue_.push_back(neighbors_[i]);
+      }
+    }
+  }
+
+  int steps(int v) const { return steps_[v]; }
+
+ private:
+  const std::vector<int>& begin_;
+  const std::vector<int>& neighbors_;
+  std::vector<int> steps_;  // -1: not reached
+  std::vector<int> queue_;
+};
+
+/// body(begin, end) for blocks of 0 .. count - 1, in parallel; memory is reused within a block.
+template <class Body>
+void parallelBlocks(std::size_t count, const Body& body) {
+  constexpr std::size_t BLOCK = 16;
+  parallelFor(static_cast<int>((count + BLOCK - 1) / BLOCK), [&](int block) {
+    const std::size_t begin = block * BLOCK;
+    body(begin, std::min(count, begin + BLOCK));
+  });
+}
+
+}  // namespace
+
+TargetMetric::TargetMetric(const TriangleMesh& target)
+    : target_(target), surface_(cleanMesh(target)), marching_(surface_.mesh) {
+  root_area_ = std::sqrt(faceAreas(surface_.mesh).sum());
+  if (!(root_area_ > 0)) throw InputError("has no area");
+  mean_edge_length_ = posture::meanEdgeLength(surface_.mesh);
+  const std::vector<Edge> edges = meshEdges(surface_.mesh.faces);
+  neighbor_begin_.assign(surface_.mesh.vertices.rows() + 1, 0);
+  for (const Edge& e : edges) {
+    ++neighbor_begin_[e.first + 1];
+    ++neighbor_begin_[e.second + 1];
+  }
+  std::partial_sum(neighbor_begin_.begin(), neighbor_begin_.end(), neighbor_begin_.begin());
+  neighbors_.resize(2 * edges.size());
+  std::vector<int> end(neighbor_begin_.begin(), neighbor_begin_.end() - 1);
+  for (const Edge& e : edges) {
+    neighbors_[end[e.first]++] = e.second;
+    neighbors_[end[e.second]++] = e.first;
+  }
+}
+
+void TargetMetric::check(const std::vector<Route>& routes) const {
+  for (const Route& route : routes) {
+    require(route.from >= 0 && route.from < vertexCount(),
+            "route from vertex " + std::to_string(route.from) + ", the target has " +
+                std::to_string(vertexCount()));
+    require(route.to.vertex >= 0 && route.to.vertex < vertexCount(),
+            "route to vertex " + std::to_string(route.to.vertex) + ", the target has " +
+                std::to_string(vertexCount()));
+    require(route.to.face < faceCount(),
+            "route to face " + std::to_string(route.to.face) + ", the target has " +
+                std::to_string(faceCount()));
+  }
+}
+
+std::vector<std::vector<int>> TargetMetric::groupByStart(const std::vector<Route>& routes) const {
+  const auto start = [&](int r) { return surface_.clean_vertex[routes[r].from]; };
+  std::vector<int> order(routes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return start(a) < start(b); });
+  std::vector<std::vector<int>> groups;
+  for (int r : order) {
+    if (groups.empty() || start(groups.back().front()) != start(r)) groups.emplace_back();
+    groups.back().push_back(r);
+  }
+  return groups;
+}
+
+bool TargetMetric::samePlace(int a, int b) const {
+  return a == b || (surface_.clean_vertex[a] == surface_.clean_vertex[b] &&
+                    surface_.offset[a] == 0 && surface_.offset[b] == 0);
+}
+
+double TargetMetric::lengthTo(int from, int to, const GeodesicField& field) const {
+  if (from == to) return 0;
+  return surface_.offset[from] + field.distance[surface_.clean_vertex[to]] + surface_.offset[to];
+}
+
+double TargetMetric::lengthTo(int from, const SurfacePoint& to, const GeodesicField& field) const {
+  if (to.face < 0) return lengthTo(from, to.vertex, field);
+  const Eigen::RowVector3i corners = target_.faces.row(to.face);
+  for (int corner : corners)
+    if (samePlace(from, corner)) {  // within one face the way is straight
+      Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
+      for (int k = 0; k < 3; ++k) place += to.barycentric[k] * target_.vertices.row(corners[k]);
+      return (place - target_.vertices.row(from)).norm();
+    }
+  double length = 0;
+  for (int k = 0; k < 3; ++k)
+    if (to.barycentric[k] != 0) length += to.barycentric[k] * lengthTo(from, corners[k], field);
+  return length;
+}
+
+void TargetMetric::appendGoals(const SurfacePoint& to, std::vector<int>& goals) const {
+  if (to.face < 0) {
+    goals.push_back(surface_.clean_vertex[to.vertex]);
+    return;
+  }
+  for (int k = 0; k < 3; ++k)
+    if (to.barycentric[k] != 0) goals.push_back(surface_.clean_vertex[target_.faces(to.face, k)]);
+}
+
+RouteLengths TargetMetric::geodesics(const std::vector<Route>& routes) const {
+  check(routes);
+  const auto groups = groupByStart(routes);
+  RouteLengths lengths;
+  lengths.length.assign(routes.size(), 0.0);
+  std::vector<std::int64_t> settled(groups.size(), 0);
+  parallelBlocks(groups.size(), [&](std::size_t begin, std::size_t end) {
+    GeodesicField field;
+    std::vector<int> goals;
+    for (std::size_t g = begin; g < end; ++g) {
+      goals.clear();
+      for (int r : groups[g]) appendGoals(routes[r].to, goals);
+      marching_.marchUntil(surface_.clean_vertex[routes[groups[g].front()].from], goals, field);
+      for (int r : groups[g]) lengths.length[r] = lengthTo(routes[r].from, routes[r].to, field);
+      settled[g] = static_cast<std::int64_t>(field.order.size());
+    }
+  });
+  lengths.settled_vertices = std::accumulate(settled.begin(), settled.end(), std::int64_t{0});
+  return lengths;
+}
+
+std::vector<int> TargetMetric::edgeCounts(const std::vector<Route>& routes) const {
+  check(routes);
+  const auto groups = groupByStart(routes);
+  std::vector<int> counts(routes.size(), 0);
+  parallelBlocks(groups.size(), [&](std::size_t begin, std::size_t end) {
+    EdgeSearch search(neighbor_begin_, neighbors_);
+    std::vector<int> goals;
+    for (std::size_t g = begin; g < end; ++g) {
+      goals.clear();
+      for (int r : groups[g]) goals.push_back(surface_.clean_vertex[routes[r].to.vertex]);
+      search.run(surface_.clean_vertex[routes[groups[g].front()].from], goals);
+      for (int r : groups[g]) {
+        const int from = routes[r].from, to = routes[r].to.vertex;
+        if (from == to) continue;
+        counts[r] = search.steps(surface_.clean_vertex[to]) + (surface_.offset[from] > 0) +
+                    (surface_.offset[to] > 0);
+      }
+    }
+  });
+  return counts;
+}
+
+}  // namespace posture

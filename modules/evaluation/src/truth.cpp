@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/evaluation/truth.h>
+#include <posture/io/correspondence_io.h>
+
+#include <cmath>
+
+namespace posture {
+namespace {
+
+void checkVertex(const std::string& name, const char* side, int vertex, int count) {
+  if (vertex >= 0 && vertex < count) return;
+  throw InputError(name + ": " + side + " vertex " + std::to_string(vertex) + ", but there are " +
+                   std::to_string(count));
+}
+
+}  // namespace
+
+std::vector<VertexPair> readTruth(const std::filesystem::path& truth,
+                                  int source_vertices,
+                                  int target_vertices) {
+  std::vector<VertexPair> pairs;
+  if (truth == "identity") {
+    if (source_vertices != target_vertices)
+      throw InputError("the truth cannot be the identity: " + std::to_string(source_vertices) +
+                       " source vertices, " + std::to_string(target_vertices) + " on the target");
+    for (int v = 0; v < source_vertices; ++v) pairs.push_back({v, v});
+    return pairs;
+  }
+  pairs = readVertexPairs(truth);
+  if (pairs.empty()) throw InputError(truth.string() + ": holds no pair");
+  for (const VertexPair& pair : pairs) {
+    checkVertex(truth.string(), "source", pair.source, source_vertices);
+    checkVertex(truth.string(), "target", pair.target, target_vertices);
+  }
+  return pairs;
+}
+
+void checkOnTarget(const std::string& name,
+                   const std::vector<SurfacePoint>& on_target,
+                   int target_vertices,
+                   int target_faces) {
+  for (std::size_t row = 0; row < on_target.size(); ++row) {
+    const SurfacePoint& place = on_target[row];
+    if (place.vertex < 0) continue;
+    const std::string where = name + ": row " + std::to_string(row);
+    checkVertex(where, "target", place.vertex, target_vertices);
+    if (place.face >= target_faces)
+      throw InputError(where + ": face " + std::to_string(place.face) + ", but the target has " +
+                       std::to_string(target_faces));
+    if (place.face >= 0 &&
+        !(place.barycentric.minCoeff() >= -1e-6 && std::abs(place.barycentric.sum() - 1) <= 1e-3))
+      throw InputError(where + ": barycentric coordinates that are negative or do not sum to 1");
+  }
+}
+
+}  // namespace posture

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace posture {
+
+/// Rows of texts under a header. Rows may be shorter than the header, not longer.
+struct TextTable {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// The writers set columns of numbers (and of "-" for none) right, others left, and end every line
+/// with a line feed. \throws std::invalid_argument  a row longer than the header.
+std::string toText(const TextTable& table);      ///< columns aligned by blanks
+std::string toMarkdown(const TextTable& table);  ///< readable as it stands, too
+std::string toCsv(const TextTable& table);       ///< RFC 4180, fields quoted where need be
+
+/// With so many decimals, whatever the locale; "-" for infinity and NaN.
+std::string formatFixed(double value, int decimals);
+
+/// With so many significant digits, in the shorter of 0.00123 and 1.23e-3; "-" as above.
+std::string formatShort(double value, int digits = 4);
+
+}  // namespace posture

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/report/report_html.h>
+#include <posture/report/table.h>
+
+#include "markup.h"
+#include <algorithm>
+
+namespace posture {
+namespace {
+
+constexpr const char* STYLE =
+    "body{font:15px/1.45 system-ui,Helvetica,Arial,sans-serif;color:#222;max-width:1060px;"
+    "margin:2em auto;padding:0 1em}"
+    "h1{font-size:1.5em}h2{font-size:1.15em;margin-top:2em}"
+    "table{border-collapse:collapse}th,td{padding:.25em .8em;border-bottom:1px solid #ddd;"
+    "text-align:right}th:first-child,td:first-child{text-align:left}th{color:#555}"
+    ".chosen{background:#e6f3ea;font-weight:600}"
+    ".status{padding:.7em 1em;border-radius:6px;background:#e6f3ea}.undecided{background:#fbeedd}"
+    ".bar{background:#0072b2;height:.8em;display:inline-block}"
+    "td.wide{text-align:left;width:26em}"
+    "figure{margin:1em 0}figcaption{color:#555}img{max-width:100%}.note{color:#555}";
+
+std::string element(const std::string& tag, const std::string& content) {
+  return "<" + tag + ">" + content + "</" + tag.substr(0, tag.find(' ')) + ">";
+}
+
+std::string row(const std::vector<std::string>& cells, const std::string& cell_tag = "td") {
+  std::string content;
+  for (const std::string& text : cells) content += element(cell_tag, escapedMarkup(text));
+  return content;
+}
+
+std::string base64(const std::string& bytes) {
+  static const char* const digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned value = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      value = value << 8u | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (int k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? digits[value >> (18u - 6u * k) & 63u] : '=';
+  }
+  return text;
+}
+
+std::string headline(const RegistrationResult& result) {
+  const bool registered = result.status == Status::REGISTERED;
+  return element(
+      registered ? "p class=\"status\"" : "p class=\"status undecided\"",
+      element("b", registered ? "Registered. " : "Undecided. ") + escapedMarkup(result.message));
+}
+
+std::string figures(const RegistrationResult& result) {
+  const auto& places = result.correspondence.on_target;
+  const auto accepted = std::count_if(
+      places.begin(), places.end(), [](const SurfacePoint& place) { return place.vertex >= 0; });
+  const double share = places.empty() ? 0 : 100.0 * double(accepted) / double(places.size());
+  const std::vector<std::vector<std::string>> rows = {
+      {"Source vertices with a counterpart",
+       std::to_string(accepted) + " of " + std::to_string(places.size()) + " (" +
+           formatFixed(share, 1) + " %)"},
+      {"Energy of the runner-up over that of the chosen candidate",
+       formatShort(runnerUpRatio(result))},
+      {"A source length times this is a target length", formatShort(result.scale)},
+      {"Consistency threshold c0", formatShort(result.consistency_threshold)}};
+  std::string content;
+  for (const auto& cells : rows) content += element("tr", row(cells));
+  return element("table", content);
+}
+
+std::string pictureTag(const ReportPicture& picture) {
+  const std::string source = picture.png.empty() ? escapedMarkup(picture.reference)
+                                                 : "data:image/png;base64," + base64(picture.png);
+  const std::string caption = escapedMarkup(picture.caption);
+  return element(
+      "figure",
+      "<img src=\"" + source + "\" alt=\"" + caption + "\">" + element("figcaption", caption));
+}
+
+std::string candidates(const RegistrationResult& result) {
+  std::string content = element(
+      "tr",
+      row({"Axis signs", "E_H", "matched", "kernel", "accepted", "common", "E(M0)", "E(M1)", "E_D"},
+          "th"));
+  for (std::size_t k = 0; k < result.hypotheses.size(); ++k) {
+    const HypothesisSummary& candidate = result.hypotheses[k];
+    std::string signs;
+    for (const int sign : candidate.axis_signs) signs += sign < 0 ? "-" : sign > 0 ? "+" : "0";
+    const std::string cells = row({signs,
+                                   formatShort(candidate.assignment_cost),
+                                   std::to_string(candidate.matched_samples),
+                                   std::to_string(candidate.kernel_samples),
+                                   std::to_string(candidate.accepted_vertices),
+                                   std::to_string(candidate.common_vertices),
+                                   formatShort(candidate.source_energy),
+                                   formatShort(candidate.target_energy),
+                                   formatShort(candidate.energy)});
+    const bool chosen = static_cast<int>(k) == result.chosen;
+    content += element(chosen ? "tr class=\"chosen\"" : "tr", cells);
+  }
+  return element("table", content);
+}
+
+std::string shapes(const RegistrationResult& result, const RunDescription& run) {
+  const ShapeSummary& a = result.source;
+  const ShapeSummary& b = result.target;
+  std::string content =
+      element("tr", row({"", "source: " + run.source, "target: " + run.target}, "th"));
+  const auto add =
+      [&](const std::string& name, const std::string& source, const std::string& target) {
+        content += element("tr", row({name, source, target}));
+      };
+  const auto count = [&](const std::string& name, int source, int target) {
+    add(name, std::to_string(source), std::to_string(target));
+  };
+  count("Vertices", a.vertices, b.vertices);
+  count("Faces", a.faces, b.faces);
+  count(
+      "Unreferenced vertices", a.cleaning.unreferenced_vertices, b.cleaning.unreferenced_vertices);
+  count("Welded vertices", a.cleaning.welded_vertices, b.cleaning.welded_vertices);
+  count("Degenerate faces", a.cleaning.degenerate_faces, b.cleaning.degenerate_faces);
+  count("Repeated faces", a.cleaning.repeated_faces, b.cleaning.repeated_faces);
+  count("Faces turned round", a.cleaning.flipped_faces, b.cleaning.flipped_faces);
+  count("Non-manifold edges", a.cleaning.non_manifold_edges, b.cleaning.non_manifold_edges);
+  count("Connected parts", a.cleaning.components, b.cleaning.components);
+  count("Vertices off the main surface", a.cleaning.loose_vertices, b.cleaning.loose_vertices);
+  count("Vertices of the main surface", a.clean_vertices, b.clean_vertices);
+  count("Boundary edges", a.boundary_edges, b.boundary_edges);
+  add("Area", formatShort(a.area), formatShort(b.area));
+  add("Mean edge length", formatShort(a.mean_edge_length), formatShort(b.mean_edge_length));
+  count("Samples", a.samples, b.samples);
+  add("Stress of the canonical form", formatShort(a.stress), formatShort(b.stress));
+  return element("table", content);
+}
+
+std::string list(const std::vector<std::pair<std::string, std::string>>& entries) {
+  std::string content;
+  for (const auto& [name, value] : entries) content += element("tr", row({name, value}));
+  return element("table", content);
+}
+
+std::string thisRun(const RegistrationResult& result, const RunDescription& run) {
+  double longest = 0;
+  for (const StageTiming& timing : result.timings) longest = std::max(longest, timing.seconds);
+  std::string content;
+  for (const StageTiming& timing : result.timings) {
+    const double width = longest > 0 ? 100 * timing.seconds / longest : 0;
+    content += element(
+        "tr",
+        row({timing.stage, formatFixed(timing.seconds, 2) + " s"}) +
+            element("td class=\"wide\"",
+                    "<span class=\"bar\" style=\"width:" + formatFixed(width, 1) + "%\"></span>"));
+  }
+  const std::string memory = formatFixed(double(peakMemoryBytes()) / (1024.0 * 1024), 0) + " MiB";
+  return element("table", content) +
+         element("p",
+                 "In all " + formatFixed(run.seconds, 2) + " s with " +
+                     std::to_string(run.threads) + (run.threads == 1 ? " thread" : " threads") +
+                     ", at most " + memory + " of memory.");
+}
+
+}  // namespace
+
+std::string reportHtml(const RegistrationResult& result,
+                       const RunDescription& run,
+                       const std::vector<ReportPicture>& pictures) {
+  const auto section = [](const std::string& title, const std::string& content) {
+    return element("h2", title) + "\n" + content + "\n";
+  };
+  std::string body = element("h1", escapedMarkup(run.source + " \u2192 " + run.target)) + "\n" +
+                     headline(result) + "\n" + figures(result) + "\n";
+  for (const ReportPicture& picture : pictures) body += pictureTag(picture) + "\n";
+  body += section("Candidates",
+                  element("p class=\"note\"",
+                          "Each way to lay one canonical form on the other; the least deformed "
+                          "common mesh (E_D) wins.") +
+                      candidates(result));
+  body += section("Shapes", shapes(result, run));
+  if (!run.options.empty()) body += section("Options", list(run.options));
+  if (!run.files.empty()) body += section("Files", list(run.files));
+  body += section("This run", thisRun(result, run));
+  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
+         escapedMarkup(run.source + " - " + run.target) + "</title><style>" + STYLE +
+         "</style></head>\n<body>\n" + body + "</body></html>\n";
+}
+
+}  // namespace posture

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/report/report_json.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sys/resource.h>
+
+namespace posture {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Infinity and NaN have no JSON.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json share(double part, double whole) { return number(part / whole); }
+
+Json describe(const CleaningSummary& cleaning) {
+  return {{"unreferenced_vertices", cleaning.unreferenced_vertices},
+          {"welded_vertices", cleaning.welded_vertices},
+          {"degenerate_faces", cleaning.degenerate_faces},
+          {"repeated_faces", cleaning.repeated_faces},
+          {"flipped_faces", cleaning.flipped_faces},
+          {"non_manifold_edges", cleaning.non_manifold_edges},
+          {"components", cleaning.components},
+          {"loose_vertices", cleaning.loose_vertices}};
+}
+
+Json describe(const std::string& file, const ShapeSummary& shape) {
+  return {{"file", file},
+          {"vertices", shape.vertices},
+          {"faces", shape.faces},
+          {"cleaning", describe(shape.cleaning)},
+          {"main_surface",
+           {{"vertices", shape.clean_vertices},
+            {"boundary_edges", shape.boundary_edges},
+            {"area", number(shape.area)},
+            {"mean_edge_length", number(shape.mean_edge_length)}}},
+          {"samples", shape.samples},
+          {"canonical_form_stress", number(shape.stress)}};
+}
+
+Json describe(const HypothesisSummary& hypothesis, bool chosen) {
+  return {{"axis_signs", hypothesis.axis_signs},
+          {"chosen", chosen},
+          {"assignment_cost_E_H", number(hypothesis.assignment_cost)},
+          {"matched_samples", hypothesis.matched_samples},
+          {"kernel_samples", hypothesis.kernel_samples},
+          {"accepted_vertices", hypothesis.accepted_vertices},
+          {"common_vertices", hypothesis.common_vertices},
+          {"source_energy_E_M0", number(hypothesis.source_energy)},
+          {"target_energy_E_M1", number(hypothesis.target_energy)},
+          {"energy_E_D", number(hypothesis.energy)}};
+}
+
+/// The figures that tell how far to trust the result.
+Json describeTrust(const RegistrationResult& result) {
+  const auto& places = result.correspondence.on_target;
+  const auto accepted = std::count_if(
+      places.begin(), places.end(), [](const SurfacePoint& place) { return place.vertex >= 0; });
+  double confidence = 0;
+  for (Eigen::Index i = 0; i < result.correspondence.confidence.size(); ++i)
+    confidence += result.correspondence.confidence(i);
+  Json trust = {{"source_vertices", places.size()},
+                {"accepted_vertices", accepted},
+                {"accepted_share", share(double(accepted), double(places.size()))},
+                {"mean_confidence_of_accepted", share(confidence, double(accepted))},
+                {"runner_up_energy_ratio", number(runnerUpRatio(result))}};
+  return trust;
+}
+
+Json versions() {
+  const auto dotted = [](int a, int b, int c) {
+    return std::to_string(a) + "." + std::to_string(b) + "." + std::to_string(c);
+  };
+  return {
+      {"posture", POSTURE_VERSION},
+      {"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+      {"ceres", CERES_VERSION},
+      {"pcl", PCL_VERSION_TEXT},
+      {"nlohmann_json",
+       dotted(
+           NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+      {"compiler", COMPILER_TEXT}};
+}
+
+Json pairs(const std::vector<std::pair<std::string, std::string>>& entries) {
+  Json object = Json::object();
+  for (const auto& [name, value] : entries) object[name] = value;
+  return object;
+}
+
+Json describeRun(const RegistrationResult& result, const RunDescription& run) {
+  Json stages = Json::array();
+  for (const StageTiming& timing : result.timings)
+    stages.push_back({{"stage", timing.stage}, {"seconds", number(timing.seconds)}});
+  return {{"note", "differs from run to run; nothing else in this file does"},
+          {"seconds", number(run.seconds)},
+          {"stages", stages},
+          {"peak_memory_bytes", peakMemoryBytes()},
+          {"threads", run.threads}};
+}
+
+}  // namespace
+
+double runnerUpRatio(const RegistrationResult& result) {
+  const double none = std::nan("");
+  if (result.chosen < 0 || result.chosen >= static_cast<int>(result.hypotheses.size())) return none;
+  const double best = result.hypotheses[result.chosen].energy;
+  double second = none;
+  for (std::size_t k = 0; k < result.hypotheses.size(); ++k)
+    if (static_cast<int>(k) != result.chosen)
+      second = std::fmin(second, result.hypotheses[k].energy);
+  return second / best;
+}
+
+std::string reportJson(const RegistrationResult& result, const RunDescription& run) {
+  Json hypotheses = Json::array();
+  for (std::size_t k = 0; k < result.hypotheses.size(); ++k)
+    hypotheses.push_back(describe(result.hypotheses[k], static_cast<int>(k) == result.chosen));
+  const Json report = {
+      {"status", result.status == Status::REGISTERED ? "registered" : "undecided"},
+      {"message", result.message},
+      {"trust", describeTrust(result)},
+      {"source", describe(run.source, result.source)},
+      {"target", describe(run.target, result.target)},
+      {"scale_source_to_target", number(result.scale)},
+      {"consistency_threshold_c0", number(result.consistency_threshold)},
+      {"chosen_hypothesis", result.chosen < 0 ? Json(nullptr) : Json(result.chosen)},
+      {"hypotheses", hypotheses},
+      {"options", pairs(run.options)},
+      {"files", pairs(run.files)},
+      {"versions", versions()},
+      {"run", describeRun(result, run)}};
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+long peakMemoryBytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss * 1024L;
+}
+
+}  // namespace posture

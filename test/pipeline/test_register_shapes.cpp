@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/pipeline/register_shapes.h>
+#include <posture/synthesis/articulated_body.h>
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+#include <Eigen/Geometry>
+
+#include <omp.h>
+
+#include <algorithm>
+#include <set>
+
+namespace posture {
+namespace {
+
+ArticulatedBody body(int pose, int tessellation = 0) {
+  BodyOptions options;
+  options.pose = pose;
+  options.vertices = 1500;
+  options.tessellation = tessellation;
+  return makeBody(options);
+}
+
+/// Mean straight distance on the target between found and true places, in units of sqrt(area).
+double meanError(const std::vector<int>& target_vertex, const std::vector<VertexPair>& truth,
+                 const RegistrationResult& result, const TriangleMesh& target) {
+  double sum = 0;
+  int count = 0;
+  for (const VertexPair& pair : truth) {
+    const int found = target_vertex[pair.source];
+    if (found < 0) continue;
+    sum += (target.vertices.row(found) - target.vertices.row(pair.target)).norm();
+    ++count;
+  }
+  return count == 0 ? 1 : sum / count / std::sqrt(result.target.area);
+}
+
+TEST(RegisterShapes, oneOfItsCandidatesMatchesTwoPosesOfABody) {
+  const ArticulatedBody source = body(0), target = body(2);
+  const RegistrationResult result = registerShapes(source.mesh, target.mesh);
+  ASSERT_EQ(result.hypotheses.size(), 8);
+  const std::vector<VertexPair> truth = groundTruth(source, target);
+  double best = 1;
+  for (const HypothesisSummary& h : result.hypotheses)
+    best = std::min(best, meanError(h.target_vertex, truth, result, target.mesh));
+  // What the method reaches on articulated animals, in hundredths of sqrt(area).
+  EXPECT_LT(best, 0.06);
+}
+
+TEST(RegisterShapes, theChosenCandidateIsTheCheapest) {
+  const RegistrationResult result = registerShapes(body(0).mesh, body(1).mesh);
+  for (const HypothesisSummary& h : result.hypotheses) {
+    EXPECT_EQ(h.energy, std::max(h.source_energy, h.target_energy));
+    EXPECT_LE(result.hypotheses[result.chosen].energy, h.energy);
+    EXPECT_LE(h.kernel_samples, h.matched_samples);
+  }
+  const auto& chosen = result.hypotheses[result.chosen];
+  for (std::size_t v = 0; v < chosen.target_vertex.size(); ++v)
+    EXPECT_EQ(result.correspondence.on_target[v].vertex, chosen.target_vertex[v]);
+}
+
+TEST(RegisterShapes, aShapeGoesToItselfMovedTurnedAndScaled) {
+  const TriangleMesh source = body(1).mesh;
+  TriangleMesh target = source;
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  target.vertices = (25.4 * source.vertices * turn.transpose()).rowwise() + Eigen::RowVector3d(9, 8, 7);
+  const RegistrationResult result = registerShapes(source, target);
+  EXPECT_EQ(result.status, Status::REGISTERED);
+  EXPECT_NEAR(result.scale, 25.4, 0.01);
+  std::vector<VertexPair> identity;
+  for (int v = 0; v < source.vertices.rows(); ++v) identity.push_back({v, v});
+  EXPECT_LT(meanError(result.hypotheses[result.chosen].target_vertex, identity, result, target), 0.002);
+}
+
+TEST(RegisterShapes, everyInputVertexHasARow) {
+  TriangleMesh source = body(0).mesh;
+  const TriangleMesh eye = test::sphere(0);
+  const int n = static_cast<int>(source.vertices.rows());
+  source.vertices.conservativeResize(n + 13, 3);
+  source.vertices.middleRows(n, 12) = (0.01 * eye.vertices).rowwise() + source.vertices.row(5);
+  source.vertices.row(n + 12) = source.vertices.row(7);
+  source.faces.conservativeResize(source.faces.rows() + eye.faces.rows(), 3);
+  source.faces.bottomRows(eye.faces.rows()) = eye.faces.array() + n;
+  const TriangleMesh target = body(1).mesh;
+  const RegistrationResult result = registerShapes(source, target);
+  ASSERT_EQ(result.correspondence.on_target.size(), n + 13);
+  ASSERT_EQ(result.correspondence.confidence.size(), n + 13);
+  ASSERT_EQ(result.deformed.rows(), n + 13);
+  EXPECT_TRUE(result.deformed.allFinite());
+  EXPECT_EQ(result.source.cleaning.loose_vertices, 12);
+  for (std::size_t v = 0; v < result.correspondence.on_target.size(); ++v) {
+    const SurfacePoint& point = result.correspondence.on_target[v];
+    ASSERT_LT(point.vertex, target.vertices.rows());
+    EXPECT_EQ(point.vertex < 0, result.correspondence.confidence[v] == 0);
+    if (point.vertex < 0) continue;
+    Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
+    for (int k = 0; k < 3; ++k)
+      place += point.barycentric[k] * target.vertices.row(target.faces(point.face, k));
+    EXPECT_LT((place - target.vertices.row(point.vertex)).norm(), 1e-12);
+  }
+  // A repeated vertex goes where the first one goes.
+  EXPECT_EQ(result.correspondence.on_target[n + 12].vertex, result.correspondence.on_target[7].vertex);
+}
+
+TEST(RegisterShapes, isTheSameWithAnyNumberOfThreads) {
+  const TriangleMesh source = body(0).mesh, target = body(1, 1).mesh;
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const RegistrationResult one = registerShapes(source, target);
+  omp_set_num_threads(3);
+  const RegistrationResult three = registerShapes(source, target);
+  omp_set_num_threads(threads);
+  EXPECT_EQ(one.chosen, three.chosen);
+  EXPECT_EQ(one.deformed, three.deformed);
+  EXPECT_EQ(one.correspondence.confidence, three.correspondence.confidence);
+  for (std::size_t k = 0; k < one.hypotheses.size(); ++k) {
+    EXPECT_EQ(one.hypotheses[k].energy, three.hypotheses[k].energy);
+    EXPECT_EQ(one.hypotheses[k].target_vertex, three.hypotheses[k].target_vertex);
+  }
+}
+
+TEST(RegisterShapes, tellsItsObserverOfEveryStageInOrder) {
+  std::vector<std::string> stages;
+  std::set<std::string> pictures;
+  double progress = 0;
+  const RegistrationResult result =
+      registerShapes(body(0).mesh, body(1).mesh, [&](const StageEvent& event) {
+        EXPECT_GE(event.progress, progress);
+        progress = event.progress;
+        if (!event.pictures) {
+          stages.emplace_back(event.stage);
+          return;
+        }
+        for (const StagePicture& picture : event.pictures()) {
+          EXPECT_TRUE(pictures.insert(picture.name).second) << picture.name << " twice";
+          EXPECT_GT(picture.mesh.vertices.rows(), 0) << picture.name;
+        }
+      });
+  ASSERT_EQ(stages.size(), result.timings.size());
+  for (std::size_t i = 0; i < stages.size(); ++i) EXPECT_EQ(stages[i], result.timings[i].stage);
+  EXPECT_LE(progress, 1);
+  EXPECT_EQ(pictures.count("source-canonical-form"), 1);
+}
+
+TEST(RegisterShapes, namesTheSideThatCannotBeUsed) {
+  const TriangleMesh sphere = test::sphere(2);
+  TriangleMesh cloud = sphere, triangle;
+  cloud.faces.resize(0, 3);
+  triangle.vertices = Points::Identity(3, 3);
+  triangle.faces.resize(1, 3);
+  triangle.faces << 0, 1, 2;
+  for (const TriangleMesh& bad : {cloud, triangle}) {
+    try {
+      registerShapes(sphere, bad);
+      FAIL();
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("target ", 0), 0) << error.what();
+    }
+    EXPECT_THROW(registerShapes(bad, sphere), InputError);
+  }
+}
+
+TEST(RegisterShapes, doesNotPretendToKnowUnrelatedShapes) {
+  const RegistrationResult result = registerShapes(test::sphere(4), body(0).mesh);
+  EXPECT_EQ(result.status, Status::UNDECIDED);
+  EXPECT_FALSE(result.message.empty());
+}
+
+}  // namespace
+}  // namespace posture
