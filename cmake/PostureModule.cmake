@@ -21,6 +21,8 @@ endfunction()
 # Warnings and language level of our own code; never handed on to those who link to us.
 function(posture_target_settings target)
   target_compile_features(${target} PUBLIC cxx_std_17)
+  # Named although compilers have it by default: clang-tidy does not.
+  set_target_properties(${target} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow
     $<$<BOOL:${POSTURE_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()

@@ -102,17 +102,14 @@ Json runInChild(const BenchmarkPair& pair,
                 const BenchmarkOptions& options,
                 const Common& common,
                 const Progress& progress) {
-  const fs::path stem = options.folder / "pairs" / pair.id;
-  const fs::path result_file = stem.string() + ".json";
+  const fs::path result_file = options.folder / "pairs" / (pair.id + ".json");
   fs::remove(result_file);
   std::vector<std::string> arguments{
       "benchmark-pair", options.list.string(), pair.id, result_file.string()};
   if (common.threads > 0)
     arguments.insert(arguments.end(), {"--threads", std::to_string(common.threads)});
   const ChildEnd end = runSelf(
-      arguments, stem.string() + ".log", std::chrono::duration<double>(options.time_limit), [&] {
-        progress.wait();
-      });
+      arguments, std::chrono::duration<double>(options.time_limit), [&] { progress.wait(); });
   Json result = end.succeeded ? storedResult(result_file, pair) : Json();
   if (result.is_null()) {
     result = failedPair(pair, "failed", end.succeeded ? "left no result" : end.reason);

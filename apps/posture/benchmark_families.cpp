@@ -95,6 +95,8 @@ Json summarizeFamily(const std::string& family, const std::vector<Json>& results
           {"compared", figures(results, "/candidates/best_mean_x100").size()},
           {"median_best_x100", median("/candidates/best_mean_x100")},
           {"largest_best_x100", largest(figures(results, "/candidates/best_mean_x100"))},
+          {"median_paper_x100", median("/candidates/paper_mean_x100")},
+          {"paper_chose_wrong", countTrue(results, "/candidates/paper_chose_wrong")},
           {"chose_wrong", countTrue(results, "/candidates/chose_wrong")},
           {"mirror_known", figures(results, "/mirror/mean_to_mirror_x100").size()},
           {"wrong_side", countTrue(results, "/mirror/wrong_side")},

@@ -36,6 +36,8 @@ std::string familyTable(const Json& families) {
                     formatFixed(numberAt(f, "/median_best_x100"), 2),
                     formatFixed(numberAt(f, "/largest_best_x100"), 2),
                     countOf(f, "chose_wrong", "compared"),
+                    formatFixed(numberAt(f, "/median_paper_x100"), 2),
+                    countOf(f, "paper_chose_wrong", "compared"),
                     countOf(f, "wrong_side", "mirror_known"),
                     percent(numberAt(f, "/mean_share_accepted")),
                     percent(numberAt(f, "/median_share_within_two_edges")),
@@ -48,6 +50,8 @@ std::string familyTable(const Json& families) {
                       "best, median",
                       "best, largest",
                       "chose wrong",
+                      "paper, median",
+                      "paper chose wrong",
                       "wrong side",
                       "accepted",
                       "within 2 edges",
@@ -61,7 +65,8 @@ std::string familyTable(const Json& families) {
          "candidate counts when it maps at least a quarter as many of them as the one that maps "
          "most. Chose wrong: the chosen candidate's error on those pairs is more than 1.5 times "
          "the "
-         "best one's and more than 2 above it. Wrong side: the map is nearer to the left-right "
+         "best one's and more than 2 above it. Paper: the candidate of least deformation E_D, as "
+         "published and as `register --paper` chooses, which does not look at orientation. Wrong side: the map is nearer to the left-right "
          "mirrored answer than to the true one, where both are known. Accepted: share of the "
          "source's vertices with a counterpart. Within 2 edges: share of the accepted points at "
          "most "
@@ -77,7 +82,7 @@ struct PaperRow {
 
 /// Section 6.1 of Wuhrer, Shu and Bose 2009. What it does not say is "-".
 const std::vector<PaperRow>& paperRows() {
-  static const std::vector<PaperRow> rows{
+  static const std::vector<PaperRow> ROWS{
       {"", {"alien a-b", "6858", "-", "1094", "5764", "large errors", "35 min"}},
       {"", {"alien a-c", "6858", "-", "2148", "4710", "nearly all", "35 min"}},
       {"", {"alien a-d", "6858", "-", "1928", "4930", "nearly all", "35 min"}},
@@ -86,7 +91,7 @@ const std::vector<PaperRow>& paperRows() {
       {"gorilla", {"gorilla", "2028-2046", "1000", "-", "-", "-", "< 10 min"}},
       {"centaur", {"centaur", "3400", "1000", "-", "-", "-", "< 10 min"}},
       {"holes", {"many small holes", "21338, 25658", "2050", "-", "-", "-", "80 min"}}};
-  return rows;
+  return ROWS;
 }
 
 Cells ourRow(const Json& f) {
@@ -146,6 +151,8 @@ std::string pairTable(const std::vector<Json>& results) {
                     formatFixed(numberAt(r, "/chosen"), 0),
                     formatFixed(numberAt(r, "/candidates/best"), 0),
                     yesNo(r, "/candidates/chose_wrong"),
+                    formatFixed(numberAt(r, "/candidates/paper_choice"), 0),
+                    formatFixed(numberAt(r, "/candidates/paper_mean_x100"), 2),
                     yesNo(r, "/mirror/wrong_side"),
                     formatFixed(numberAt(r, "/accepted"), 0),
                     formatFixed(numberAt(r, "/rejected"), 0),
@@ -164,6 +171,8 @@ std::string pairTable(const std::vector<Json>& results) {
                       "chosen",
                       "best",
                       "chose wrong",
+                      "paper chose",
+                      "paper's, sampled",
                       "wrong side",
                       "accepted",
                       "rejected",

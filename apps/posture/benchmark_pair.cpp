@@ -7,8 +7,8 @@
 #include <posture/evaluation/truth.h>
 #include <posture/io/mesh_io.h>
 #include <posture/pipeline/register_shapes.h>
+#include <posture/report/peak_memory.h>
 
-#include "child_process.h"
 #include <algorithm>
 #include <chrono>
 #include <omp.h>
@@ -42,6 +42,15 @@ std::pair<PairData, double> readPair(const BenchmarkPair& pair) {
   return {std::move(data), seconds};
 }
 
+/// The candidate that deformation alone would choose, as published.
+std::size_t leastDeformed(const RegistrationResult& result) {
+  const auto& all = result.hypotheses;
+  const auto least = std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.energy < b.energy;
+  });
+  return static_cast<std::size_t>(least - all.begin());
+}
+
 Json judgeCandidates(const TargetMetric& metric,
                      const PairData& data,
                      const RegistrationResult& result) {
@@ -58,6 +67,10 @@ Json judgeCandidates(const TargetMetric& metric,
   json["best_mean_x100"] = 100 * errors[best].mean;
   json["chosen_mean_x100"] = 100 * errors[result.chosen].mean;
   json["chose_wrong"] = choseWrong(errors[result.chosen], errors[best]);
+  const std::size_t paper = leastDeformed(result);
+  json["paper_choice"] = paper;
+  json["paper_mean_x100"] = 100 * errors[paper].mean;
+  json["paper_chose_wrong"] = choseWrong(errors[paper], errors[best]);
   return json;
 }
 
@@ -90,6 +103,7 @@ Json registerAndJudge(const BenchmarkPair& pair, const PairData& data, double re
   Json json = describePair(pair);
   json["status"] = result.status == Status::REGISTERED ? "registered" : "undecided";
   json["message"] = result.message;
+  if (result.chosen >= 0) json["consistency"] = result.hypotheses[result.chosen].consistency;
   json["source_vertices"] = data.source.vertices.rows();
   json["target_vertices"] = data.target.vertices.rows();
   json["samples"] = result.source.samples;

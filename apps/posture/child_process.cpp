@@ -4,11 +4,13 @@
 
 #include <posture/report/table.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
-#include <fcntl.h>
-#include <fstream>
+#include <memory>
 #include <spawn.h>
+#include <sstream>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -20,7 +22,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-pid_t spawnSelf(const std::vector<std::string>& arguments, const std::filesystem::path& log) {
+/// A file without a name: it goes with whoever has it open last.
+using Log = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+Log makeLog() {
+  Log log(std::tmpfile(), std::fclose);
+  if (log == nullptr) throw std::system_error(errno, std::generic_category(), "a temporary file");
+  return log;
+}
+
+/// \param log  takes the stderr of the process.
+pid_t spawnSelf(const std::vector<std::string>& arguments, std::FILE* log) {
   std::vector<std::string> words{"posture"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -30,8 +42,7 @@ pid_t spawnSelf(const std::vector<std::string>& arguments, const std::filesystem
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(
-      &actions, STDERR_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&actions, fileno(log), STDERR_FILENO);
   pid_t child = -1;
   // Still this program when its file has been replaced meanwhile.
   const int error = posix_spawn(&child, "/proc/self/exe", &actions, nullptr, argv.data(), environ);
@@ -40,9 +51,11 @@ pid_t spawnSelf(const std::vector<std::string>& arguments, const std::filesystem
   return child;
 }
 
-std::string lastLine(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::string last;
+std::string lastLine(std::FILE* log) {
+  std::rewind(log);
+  std::string words, last;
+  for (int c = std::fgetc(log); c != EOF; c = std::fgetc(log)) words += static_cast<char>(c);
+  std::istringstream stream(words);
   for (std::string line; std::getline(stream, line);)
     if (!line.empty()) last = line;
   const std::string prefix = "posture: ";
@@ -61,11 +74,11 @@ std::string describe(int status, const std::string& last_words) {
 }  // namespace
 
 ChildEnd runSelf(const std::vector<std::string>& arguments,
-                 const std::filesystem::path& log,
                  std::chrono::duration<double> time_limit,
                  const std::function<void()>& waiting) {
   const auto start = Clock::now();
-  const pid_t child = spawnSelf(arguments, log);
+  const Log log = makeLog();
+  const pid_t child = spawnSelf(arguments, log.get());
   int status = 0;
   bool timed_out = false;
   for (auto next_call = start; waitpid(child, &status, WNOHANG) == 0;) {
@@ -86,23 +99,13 @@ ChildEnd runSelf(const std::vector<std::string>& arguments,
   if (timed_out)
     end.reason = "took longer than " + formatShort(time_limit.count()) + " s";
   else if (!end.succeeded)
-    end.reason = describe(status, lastLine(log));
-  std::error_code ignored;
-  std::filesystem::remove(log, ignored);
+    end.reason = describe(status, lastLine(log.get()));
   return end;
 }
 
 void endWithParent() {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() == 1) raise(SIGKILL);  // it ended before we asked
-}
-
-double peakMemoryMib() {
-  // Not getrusage(): a program started by another inherits that one's peak.
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.rfind("VmHWM:", 0) == 0) return std::stod(line.substr(6)) / 1024;
-  return 0;
 }
 
 }  // namespace posture::app

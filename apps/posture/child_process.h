@@ -3,7 +3,6 @@
 #pragma once
 
 #include <chrono>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,18 +16,13 @@ struct ChildEnd {
 };
 
 /// Runs this very program with other arguments, in a process of its own: its memory is its own, and
-/// what crashes or hangs it leaves us alive. `log` takes its stderr and is removed afterwards.
-/// `waiting` is called a few times a second.
+/// what crashes or hangs it leaves us alive. `waiting` is called a few times a second.
 /// \throws std::system_error  no process could be made.
 ChildEnd runSelf(const std::vector<std::string>& arguments,
-                 const std::filesystem::path& log,
                  std::chrono::duration<double> time_limit,
                  const std::function<void()>& waiting);
 
 /// In a child: be ended with the parent, whichever way that ends.
 void endWithParent();
-
-/// Largest resident memory of this process so far, in MiB; 0 where the system does not say.
-double peakMemoryMib();
 
 }  // namespace posture::app

@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "verbs.h"
-
 #include <posture/core/error.h>
 
 #include <CLI/CLI.hpp>
 
-#include <omp.h>
-
+#include "verbs.h"
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <omp.h>
 
 namespace {
 
@@ -27,7 +25,8 @@ int fail(const char* message, int exit_code) {
 
 int main(int argc, char** argv) {
   using namespace posture::app;
-  CLI::App app{"Registration of bodies that bend: for every point of one shape, where it is on the other."};
+  CLI::App app{
+      "Registration of bodies that bend: for every point of one shape, where it is on the other."};
   app.name("posture");
   app.require_subcommand(1);
   app.fallthrough();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/io/atomic_file.h>
 #include <posture/io/correspondence_io.h>
 #include <posture/io/mesh_io.h>
 #include <posture/pipeline/register_shapes.h>
@@ -12,12 +13,10 @@
 #include "progress.h"
 #include "stage_dump.h"
 #include "verbs.h"
-
-#include <omp.h>
-
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <omp.h>
 #include <optional>
 
 namespace posture::app {
@@ -27,6 +26,7 @@ namespace fs = std::filesystem;
 
 struct RegisterOptions {
   fs::path source, target, folder, dump;
+  bool paper = false;
 };
 
 /// The pipeline speaks of "source" and "target"; the user knows the files.
@@ -35,11 +35,12 @@ RegistrationResult registerFiles(const RegisterOptions& options,
                                  const TriangleMesh& target,
                                  const Observer& observer) {
   try {
-    return registerShapes(source, target, observer);
+    const Method method = options.paper ? Method::PAPER : Method::ORIENTED;
+    return registerShapes(source, target, {method}, observer);
   } catch (const InputError& error) {
     const std::string message = error.what();
-    for (const auto& [side, file] : {std::pair("source ", &options.source),
-                                     std::pair("target ", &options.target)})
+    for (const auto& [side, file] :
+         {std::pair("source ", &options.source), std::pair("target ", &options.target)})
       if (message.rfind(side, 0) == 0)
         throw InputError(file->string() + ": " + message.substr(std::string(side).size()));
     throw;
@@ -50,7 +51,7 @@ RunDescription describe(const RegisterOptions& options, double seconds) {
   RunDescription run;
   run.source = options.source.string();
   run.target = options.target.string();
-  run.options = {{"method", "paper"}};
+  run.options = {{"method", options.paper ? "paper" : "oriented"}};
   run.files = {{"correspondence.csv", "for each source vertex its place on the target"},
                {"registered.ply", "the source, moved onto the target"},
                {"source_colored.ply", "the source, one colour a place; grey: no counterpart"},
@@ -85,6 +86,7 @@ void registerVerb(const RegisterOptions& options, Common& common) {
   const TriangleMesh source = readMesh(options.source).mesh;
   const TriangleMesh target = readMesh(options.target).mesh;
   makeFolder(options.folder);
+  AtomicFile(options.folder / "report.json");  // says now that it cannot be written, not at the end
   std::optional<StageDump> dump;
   if (!options.dump.empty()) dump.emplace(options.dump);
   const RegistrationResult result =
@@ -116,8 +118,9 @@ void addRegister(CLI::App& app, Common& common) {
   verb->add_option("SOURCE", options->source, "Mesh: PLY, OBJ, OFF, STL or VTK")->required();
   verb->add_option("TARGET", options->target, "Mesh, in any frame and unit")->required();
   verb->add_option("-o,--output", options->folder, "Folder for the results")->required();
-  verb->add_flag("--paper",
-                 "The method of Wuhrer, Shu and Bose 2009 as published (the default: the only one)");
+  verb->add_flag(
+      "--paper",
+      "The method of Wuhrer, Shu and Bose 2009 as published (the default: the only one)");
   verb->add_option("--dump", options->dump, "Folder for every stage's result as PLY files");
   verb->callback([options, &common] { registerVerb(*options, common); });
 }

@@ -6,7 +6,6 @@
 #include <posture/report/colors.h>
 
 #include "folder.h"
-
 #include <cstdio>
 
 namespace posture::app {

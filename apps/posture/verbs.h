@@ -8,9 +8,9 @@ namespace posture::app {
 
 /// What every verb takes and gives back.
 struct Common {
-  bool quiet = false;   ///< nothing on stderr but errors
-  bool json = false;    ///< results on stdout as JSON
-  int threads = 0;      ///< 0: as many as there are processors
+  bool quiet = false;  ///< nothing on stderr but errors
+  bool json = false;   ///< results on stdout as JSON
+  int threads = 0;     ///< 0: as many as there are processors
   unsigned long seed = 1;
   int exit_code = 0;
 };

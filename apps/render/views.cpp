@@ -149,9 +149,9 @@ Vector3d guessUp(const Shapes& shapes) {
 }  // namespace
 
 const std::vector<std::string>& viewNames() {
-  static const std::vector<std::string> names = {
+  static const std::vector<std::string> NAMES = {
       "front", "back", "left", "right", "top", "bottom", "three-quarter"};
-  return names;
+  return NAMES;
 }
 
 std::vector<Vector3d> guessUps(const Shapes& shapes) {

@@ -3,6 +3,7 @@
 #include "apps/program.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -34,19 +35,50 @@ namespace {
   _exit(127);
 }
 
+pid_t start(const std::string& program,
+            const std::vector<std::string>& arguments,
+            const std::vector<std::string>& environment,
+            const TemporaryFolder& folder) {
+  const pid_t child = fork();
+  if (child == 0) become(program, arguments, environment, folder);
+  if (child < 0) throw std::runtime_error("no process");
+  return child;
+}
+
+ProgramRun finish(int status, const TemporaryFolder& folder) {
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+          contentOf(folder / "out"),
+          contentOf(folder / "err")};
+}
+
 }  // namespace
 
 ProgramRun run(const std::filesystem::path& program,
                const std::vector<std::string>& arguments,
                const std::vector<std::string>& environment) {
   const TemporaryFolder folder;
-  const pid_t child = fork();
-  if (child == 0) become(program.string(), arguments, environment, folder);
+  const pid_t child = start(program.string(), arguments, environment, folder);
   int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) != child) throw std::runtime_error("no process");
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-          contentOf(folder / "out"),
-          contentOf(folder / "err")};
+  if (waitpid(child, &status, 0) != child) throw std::runtime_error("no process");
+  return finish(status, folder);
+}
+
+ProgramRun runInterrupted(const std::filesystem::path& program,
+                          const std::vector<std::string>& arguments,
+                          int signal,
+                          const std::function<bool()>& when) {
+  const TemporaryFolder folder;
+  const pid_t child = start(program.string(), arguments, {}, folder);
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    if (when()) {
+      kill(child, signal);
+      waitpid(child, &status, 0);
+      break;
+    }
+    usleep(200);
+  }
+  return finish(status, folder);
 }
 
 std::string contentOf(const std::filesystem::path& file) {

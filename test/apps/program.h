@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,12 @@ struct ProgramRun {
 ProgramRun run(const std::filesystem::path& program,
                const std::vector<std::string>& arguments,
                const std::vector<std::string>& environment = {});
+
+/// Starts `program`, sends it the signal as soon as `when` holds, and waits for it.
+ProgramRun runInterrupted(const std::filesystem::path& program,
+                          const std::vector<std::string>& arguments,
+                          int signal,
+                          const std::function<bool()>& when);
 
 std::string contentOf(const std::filesystem::path& file);
 

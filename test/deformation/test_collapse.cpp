@@ -5,12 +5,10 @@
 #include <posture/mesh/edges.h>
 #include <posture/mesh/half_edge_mesh.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
-
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -84,7 +82,8 @@ TEST(CollapseToVertices, costsNothingInAPlane) {
   const Faces faces = collapseToVertices(sheet, keep);
   double area = 0;
   for (int f = 0; f < faces.rows(); ++f) {
-    const Eigen::RowVector3d a = sheet.vertices.row(faces(f, 0)), b = sheet.vertices.row(faces(f, 1)),
+    const Eigen::RowVector3d a = sheet.vertices.row(faces(f, 0)),
+                             b = sheet.vertices.row(faces(f, 1)),
                              c = sheet.vertices.row(faces(f, 2));
     const double signed_area = (b - a).cross(c - a).z() / 2;
     EXPECT_GT(signed_area, -1e-12) << "a face was flipped";

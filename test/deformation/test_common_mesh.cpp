@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
-
 #include <cmath>
 
 namespace posture {

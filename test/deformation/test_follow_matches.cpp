@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/deformation/follow_matches.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
-
-#include <Eigen/Geometry>
 
 namespace posture {
 namespace {
@@ -14,8 +13,8 @@ namespace {
 TEST(FollowMatches, carriesARigidMotionToEverything) {
   const TriangleMesh sphere = test::sphere(3);
   const int n = static_cast<int>(sphere.vertices.rows());
-  const Eigen::Isometry3d motion =
-      Eigen::Translation3d(1, -2, 3) * Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 1, 0).normalized());
+  const Eigen::Isometry3d motion = Eigen::Translation3d(1, -2, 3) *
+                                   Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 1, 0).normalized());
   const auto moved = [&](const Points& p) -> Points {
     return (motion * p.transpose()).transpose();
   };

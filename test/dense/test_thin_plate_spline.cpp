@@ -3,9 +3,8 @@
 #include <posture/core/rng.h>
 #include <posture/dense/thin_plate_spline.h>
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
+#include <gtest/gtest.h>
 
 #include <cmath>
 
@@ -49,7 +48,8 @@ TEST(ThinPlateSpline, reproducesAffineMapsWhateverTheSmoothing) {
   };
   const Points from = randomPoints(40, 3), elsewhere = randomPoints(40, 4);
   for (double smoothing : {0.0, 0.1, 100.0})
-    EXPECT_LT(rms(ThinPlateSpline(from, affine(from), smoothing), elsewhere, affine(elsewhere)), 1e-8);
+    EXPECT_LT(rms(ThinPlateSpline(from, affine(from), smoothing), elsewhere, affine(elsewhere)),
+              1e-8);
   EXPECT_LT(rms(ThinPlateSpline(from, affine(from)), elsewhere, affine(elsewhere)), 1e-8);
 }
 

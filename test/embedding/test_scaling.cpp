@@ -48,7 +48,8 @@ TEST(LeastSquaresScaling, restoresEuclideanPointsFromADisturbedStart) {
   const Matrix distances = pairwise(truth);
   const Points start = truth + 0.1 * randomPoints(40, 6);
   const Points found = leastSquaresScaling(distances, ones(40), start);
-  EXPECT_LT(normalizedStress(distances, ones(40), found), 1e-2 * normalizedStress(distances, ones(40), start));
+  EXPECT_LT(normalizedStress(distances, ones(40), found),
+            1e-2 * normalizedStress(distances, ones(40), start));
 }
 
 /// Distances that no points in space have: those along a circle.

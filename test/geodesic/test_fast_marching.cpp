@@ -4,12 +4,10 @@
 #include <posture/geodesic/fast_marching.h>
 #include <posture/mesh/edges.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
-
-#include <Eigen/Geometry>
-
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -93,7 +91,8 @@ TEST(FastMarching, convergesOnTheSphere) {
 TEST(FastMarching, doesNotNoticeThatAStripIsBent) {
   // A cylinder unrolls into the plane: distances are those of the flat strip.
   const TriangleMesh flat = test::grid(60, 10, 6, 1), bent = test::bentStrip(60, 10, 6, 1, PI);
-  const std::vector<double> expected = distancesFrom(flat, 5 * 61), found = distancesFrom(bent, 5 * 61);
+  const std::vector<double> expected = distancesFrom(flat, 5 * 61),
+                            found = distancesFrom(bent, 5 * 61);
   double largest = 0;
   for (std::size_t v = 0; v < found.size(); ++v)
     largest = std::max(largest, std::abs(found[v] - expected[v]));
@@ -104,7 +103,8 @@ TEST(FastMarching, doesNotNoticeThatAStripIsBent) {
 TEST(FastMarching, liesBetweenTheStraightLineAndTheEdges) {
   for (const TriangleMesh& mesh : {test::sphere(3), test::bentStrip(40, 8, 4, 1, 4.0)}) {
     const int source = static_cast<int>(mesh.vertices.rows()) / 3;
-    const std::vector<double> marched = distancesFrom(mesh, source), edges = alongEdges(mesh, source);
+    const std::vector<double> marched = distancesFrom(mesh, source),
+                              edges = alongEdges(mesh, source);
     for (int v = 0; v < mesh.vertices.rows(); ++v) {
       EXPECT_LE(marched[v], edges[v] * (1 + 1e-6));
       EXPECT_GE(marched[v], (mesh.vertices.row(v) - mesh.vertices.row(source)).norm() * (1 - 1e-6));
@@ -119,11 +119,12 @@ TEST(FastMarching, goesRoundAHole) {
   Faces kept(square.faces.rows(), 3);
   int count = 0;
   for (int f = 0; f < square.faces.rows(); ++f) {
-    const Eigen::RowVector3d centre = (square.vertices.row(square.faces(f, 0)) +
-                                       square.vertices.row(square.faces(f, 1)) +
-                                       square.vertices.row(square.faces(f, 2))) /
-                                      3;
-    if (centre.x() > 0.5 || std::abs(centre.y() - 0.5) > 0.025) kept.row(count++) = square.faces.row(f);
+    const Eigen::RowVector3d centre =
+        (square.vertices.row(square.faces(f, 0)) + square.vertices.row(square.faces(f, 1)) +
+         square.vertices.row(square.faces(f, 2))) /
+        3;
+    if (centre.x() > 0.5 || std::abs(centre.y() - 0.5) > 0.025)
+      kept.row(count++) = square.faces.row(f);
   }
   square.faces = kept.topRows(count);
   const std::vector<double> distance = distancesFrom(square, 0);

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
-
 #include <algorithm>
 #include <set>
 
@@ -32,7 +31,8 @@ TEST(VoronoiSamples, coverTheSurfaceAndKeepApart) {
     // Farthest-point sampling keeps samples as far apart as its covering radius. The bounded march
     // may miss a detour of the full one by a fraction of an edge.
     const double slack = 0.2 * meanEdgeLength(sphere);
-    EXPECT_NEAR(*std::max_element(nearest.begin(), nearest.end()), landmarks.covering_radius, slack);
+    EXPECT_NEAR(
+        *std::max_element(nearest.begin(), nearest.end()), landmarks.covering_radius, slack);
     EXPECT_GE(closest_pair, landmarks.covering_radius - slack);
   }
 }
@@ -62,9 +62,8 @@ TEST(Landmarks, distancesAreNearlySymmetric) {
   EXPECT_EQ((mean - mean.transpose()).norm(), 0);
   for (int i = 0; i < mean.rows(); ++i)
     for (int j = 0; j < mean.cols(); ++j)
-      EXPECT_NEAR(mean(i, j),
-                  landmarks.distances(i, landmarks.vertices[j]),
-                  0.1 * meanEdgeLength(sphere));
+      EXPECT_NEAR(
+          mean(i, j), landmarks.distances(i, landmarks.vertices[j]), 0.1 * meanEdgeLength(sphere));
 }
 
 TEST(Landmarks, pathsOnAClosedSurfaceAreTrusted) {

@@ -29,6 +29,38 @@ TEST(AtomicFile, appearsOnCommitAndLeavesNothingElse) {
   EXPECT_EQ(folder.entryCount(), 1);
 }
 
+TEST(AtomicFile, cannotBeSeenBeforeCommit) {
+  const TemporaryFolder folder;
+  AtomicFile file(folder.path() / "out.txt");
+  file.stream() << "text" << std::flush;
+  EXPECT_EQ(folder.entryCount(), 0);
+}
+
+TEST(AtomicFile, replacesAnotherFile) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.file("out.txt", "a longer text");
+  AtomicFile file(path);
+  file.stream() << "new";
+  file.commit();
+  EXPECT_EQ(bytesOf(path), "new");
+  EXPECT_EQ(folder.entryCount(), 1);
+}
+
+TEST(AtomicFile, aSignalLeavesNothing) {
+  for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+    const TemporaryFolder folder;
+    const fs::path path = folder.file("out.txt", "old");
+    const auto interrupted = [&] {
+      AtomicFile file(path);
+      file.stream() << std::string(100000, 'x') << std::flush;
+      std::raise(signal);
+    };
+    EXPECT_EXIT(interrupted(), testing::KilledBySignal(signal), "");
+    EXPECT_EQ(bytesOf(path), "old");
+    EXPECT_EQ(folder.entryCount(), 1);
+  }
+}
+
 TEST(AtomicFile, withoutCommitTheOldFileStays) {
   const TemporaryFolder folder;
   const fs::path path = folder.file("out.txt", "old");

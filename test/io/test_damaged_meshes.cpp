@@ -16,7 +16,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-constexpr int rounds = 300;
+constexpr int ROUNDS = 300;
 
 /// Cuts the end off, changes some bytes, moves a piece elsewhere or doubles a digit.
 std::string damage(std::string bytes, Rng& rng) {
@@ -74,7 +74,7 @@ TEST(DamagedMesh, isReadOrRefused) {
   const TemporaryFolder folder;
   Rng rng(1);
   for (const auto& [name, bytes] : samples())
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < ROUNDS; ++round) {
       const std::string damaged = damage(bytes, rng);
       expectMeshOrInputError(folder.file(name, damaged));
       ASSERT_FALSE(HasFailure()) << name << " round " << round << ":\n" << damaged;
@@ -113,7 +113,7 @@ TEST(DamagedTable, isReadOrRefused) {
   Rng rng(3);
   const std::string table =
       "source,target,face,b0,b1,b2,confidence\n0,7,3,0.1,0.7,0.2,0.5\n1,-1,-1,0,0,0,0\n";
-  for (int round = 0; round < 2 * rounds; ++round) {
+  for (int round = 0; round < 2 * ROUNDS; ++round) {
     const auto path = folder.file("c.csv", damage(table, rng));
     test::inputErrorOf([&] { readCorrespondence(path); });
     test::inputErrorOf([&] { readVertexPairs(folder.file("p.txt", damage("0 1\n2 3\n", rng))); });

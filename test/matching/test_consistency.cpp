@@ -36,7 +36,8 @@ TEST(LengthConsistency, isTheSmallerRatio) {
 
 TEST(ConsistencyMatrix, isOneForAnIsometryAndTheRatioForAStretch) {
   const Matrix distances = pairwise(Points::Random(12, 3));
-  EXPECT_LT((consistencyMatrix(identity(12), distances, distances) - Matrix::Ones(12, 12)).norm(), 1e-12);
+  EXPECT_LT((consistencyMatrix(identity(12), distances, distances) - Matrix::Ones(12, 12)).norm(),
+            1e-12);
   const Matrix stretched = consistencyMatrix(identity(12), distances, 1.25 * distances);
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < 12; ++j) EXPECT_NEAR(stretched(i, j), i == j ? 1 : 0.8, 1e-12);

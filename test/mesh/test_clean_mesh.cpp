@@ -4,11 +4,10 @@
 #include <posture/mesh/clean_mesh.h>
 #include <posture/mesh/edges.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
-
-#include <Eigen/Geometry>
 
 namespace posture {
 namespace {
@@ -25,7 +24,8 @@ double volume(const TriangleMesh& mesh) {
 }
 
 /// `second` after `first`, shifted.
-TriangleMesh together(const TriangleMesh& first, const TriangleMesh& second,
+TriangleMesh together(const TriangleMesh& first,
+                      const TriangleMesh& second,
                       const Eigen::RowVector3d& shift) {
   TriangleMesh both;
   const int n = static_cast<int>(first.vertices.rows());
@@ -68,8 +68,8 @@ TEST(CleanMesh, everyInputVertexHasAPlace) {
   TriangleMesh mesh = test::grid(4, 4, 1, 1);
   const int n = static_cast<int>(mesh.vertices.rows());
   mesh.vertices.conservativeResize(n + 2, 3);
-  mesh.vertices.row(n) = mesh.vertices.row(7);       // the same place, in no face
-  mesh.vertices.row(n + 1) << 0.5, 0.5, 3;           // in no face
+  mesh.vertices.row(n) = mesh.vertices.row(7);  // the same place, in no face
+  mesh.vertices.row(n + 1) << 0.5, 0.5, 3;      // in no face
   const CleanMesh clean = cleanMesh(mesh);
   EXPECT_EQ(clean.summary.unreferenced_vertices, 2);
   EXPECT_EQ(clean.summary.loose_vertices, 0);

@@ -35,9 +35,7 @@ TEST(PointIndex, isAsGoodFarFromTheOrigin) {
   for (int i = 0; i < points.rows(); ++i) EXPECT_EQ(index.nearest(points.row(i)).index, i);
 }
 
-TEST(PointIndex, refusesNoPoints) {
-  EXPECT_THROW(PointIndex(Points(0, 3)), std::invalid_argument);
-}
+TEST(PointIndex, refusesNoPoints) { EXPECT_THROW(PointIndex(Points(0, 3)), std::invalid_argument); }
 
 }  // namespace
 }  // namespace posture

@@ -4,15 +4,12 @@
 #include <posture/pipeline/register_shapes.h>
 #include <posture/synthesis/articulated_body.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
-
-#include <Eigen/Geometry>
-
-#include <omp.h>
-
 #include <algorithm>
+#include <omp.h>
 #include <set>
 
 namespace posture {
@@ -27,8 +24,10 @@ ArticulatedBody body(int pose, int tessellation = 0) {
 }
 
 /// Mean straight distance on the target between found and true places, in units of sqrt(area).
-double meanError(const std::vector<int>& target_vertex, const std::vector<VertexPair>& truth,
-                 const RegistrationResult& result, const TriangleMesh& target) {
+double meanError(const std::vector<int>& target_vertex,
+                 const std::vector<VertexPair>& truth,
+                 const RegistrationResult& result,
+                 const TriangleMesh& target) {
   double sum = 0;
   int count = 0;
   for (const VertexPair& pair : truth) {
@@ -69,13 +68,15 @@ TEST(RegisterShapes, aShapeGoesToItselfMovedTurnedAndScaled) {
   TriangleMesh target = source;
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-  target.vertices = (25.4 * source.vertices * turn.transpose()).rowwise() + Eigen::RowVector3d(9, 8, 7);
+  target.vertices =
+      (25.4 * source.vertices * turn.transpose()).rowwise() + Eigen::RowVector3d(9, 8, 7);
   const RegistrationResult result = registerShapes(source, target);
   EXPECT_EQ(result.status, Status::REGISTERED);
   EXPECT_NEAR(result.scale, 25.4, 0.01);
   std::vector<VertexPair> identity;
   for (int v = 0; v < source.vertices.rows(); ++v) identity.push_back({v, v});
-  EXPECT_LT(meanError(result.hypotheses[result.chosen].target_vertex, identity, result, target), 0.002);
+  EXPECT_LT(meanError(result.hypotheses[result.chosen].target_vertex, identity, result, target),
+            0.002);
 }
 
 TEST(RegisterShapes, everyInputVertexHasARow) {
@@ -105,7 +106,8 @@ TEST(RegisterShapes, everyInputVertexHasARow) {
     EXPECT_LT((place - target.vertices.row(point.vertex)).norm(), 1e-12);
   }
   // A repeated vertex goes where the first one goes.
-  EXPECT_EQ(result.correspondence.on_target[n + 12].vertex, result.correspondence.on_target[7].vertex);
+  EXPECT_EQ(result.correspondence.on_target[n + 12].vertex,
+            result.correspondence.on_target[7].vertex);
 }
 
 TEST(RegisterShapes, isTheSameWithAnyNumberOfThreads) {
@@ -130,7 +132,7 @@ TEST(RegisterShapes, tellsItsObserverOfEveryStageInOrder) {
   std::set<std::string> pictures;
   double progress = 0;
   const RegistrationResult result =
-      registerShapes(body(0).mesh, body(1).mesh, [&](const StageEvent& event) {
+      registerShapes(body(0).mesh, body(1).mesh, {}, [&](const StageEvent& event) {
         EXPECT_GE(event.progress, progress);
         progress = event.progress;
         if (!event.pictures) {

@@ -35,18 +35,28 @@ TriangleMesh grid(int columns, int rows, double width, double height) {
 
 TriangleMesh sphere(int levels) {
   const double g = (1 + std::sqrt(5.0)) / 2;
-  std::vector<Eigen::Vector3d> v = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
-                                    {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
-                                    {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+  std::vector<Eigen::Vector3d> v = {{-1, g, 0},
+                                    {1, g, 0},
+                                    {-1, -g, 0},
+                                    {1, -g, 0},
+                                    {0, -1, g},
+                                    {0, 1, g},
+                                    {0, -1, -g},
+                                    {0, 1, -g},
+                                    {g, 0, -1},
+                                    {g, 0, 1},
+                                    {-g, 0, -1},
+                                    {-g, 0, 1}};
   for (auto& p : v) p.normalize();
-  std::vector<Eigen::Vector3i> f = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11},
-                                    {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                                    {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9},
-                                    {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+  std::vector<Eigen::Vector3i> f = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                    {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                    {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                    {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<int, int>, int> middle;
     const auto split = [&](int a, int b) {
-      const auto [entry, is_new] = middle.try_emplace(std::minmax(a, b), static_cast<int>(v.size()));
+      const auto [entry, is_new] =
+          middle.try_emplace(std::minmax(a, b), static_cast<int>(v.size()));
       if (is_new) v.push_back((v[a] + v[b]).normalized());
       return entry->second;
     };

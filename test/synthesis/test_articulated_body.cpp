@@ -116,13 +116,13 @@ TEST(BodyOptionsCheck, RejectsWhatMakesNoBody) {
     change(options);
     return options;
   };
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
   for (const BodyOptions& options : {with([](auto& o) { o.vertices = 999; }),
                                      with([](auto& o) { o.holes = -1; }),
                                      with([](auto& o) { o.hole_radius = -0.1; }),
-                                     with([](auto& o) { o.hole_radius = nan; }),
+                                     with([](auto& o) { o.hole_radius = NOT_A_NUMBER; }),
                                      with([](auto& o) { o.noise = -1; }),
-                                     with([](auto& o) { o.noise = nan; })})
+                                     with([](auto& o) { o.noise = NOT_A_NUMBER; })})
     EXPECT_THROW(makeBody(options), std::invalid_argument);
 }
 

@@ -26,15 +26,15 @@ TEST(Holes, AreAsManyAsAsked) {
 }
 
 TEST(Holes, AreAboutAsLargeAsAsked) {
-  constexpr double radius = 0.04;
+  constexpr double RADIUS = 0.04;
   BodyOptions options = bodyOptions(BodyKind::HUMAN, 0, 0, 10000);
   const double whole = static_cast<double>(makeBody(options).mesh.faces.rows());
   options.holes = 8;
-  options.hole_radius = radius;
+  options.hole_radius = RADIUS;
   const TriangleMesh cut = makeBody(options).mesh;
   const double edge = meanEdgeOf(cut), face = std::sqrt(3.0) / 4 * edge * edge;
   const double lost = (whole - static_cast<double>(cut.faces.rows())) * face;
-  EXPECT_NEAR(lost / (8 * 3.14159 * radius * radius), 1, 0.45);  // ways along edges are longer
+  EXPECT_NEAR(lost / (8 * 3.14159 * RADIUS * RADIUS), 1, 0.45);  // ways along edges are longer
 }
 
 TEST(Holes, LieElsewhereForAnotherSeedOrPose) {
@@ -63,14 +63,14 @@ TEST(Holes, ThatDoNotFitAreRefused) {
 }
 
 TEST(Noise, HasTheDeviationAsked) {
-  constexpr double deviation = 0.003;
+  constexpr double DEVIATION = 0.003;
   BodyOptions options = bodyOptions(BodyKind::QUADRUPED, 1, 0, 5000);
   const Points clean = makeBody(options).mesh.vertices;
-  options.noise = deviation;
+  options.noise = DEVIATION;
   const ArticulatedBody noisy = makeBody(options);
   ASSERT_EQ(noisy.mesh.vertices.rows(), clean.rows());
   const double rms = std::sqrt((noisy.mesh.vertices - clean).rowwise().squaredNorm().mean());
-  EXPECT_NEAR(rms / deviation, 1, 0.05);  // of 5,000 draws it is within 1 % most of the time
+  EXPECT_NEAR(rms / DEVIATION, 1, 0.05);  // of 5,000 draws it is within 1 % most of the time
   EXPECT_LT(std::abs(volumeOf(noisy.mesh) / volumeOf({clean, noisy.mesh.faces}) - 1), 0.05);
 }
 

@@ -58,8 +58,7 @@ CanonicalForm computeCanonicalForm(const Landmarks& samples) {
   require(s > 3, "computeCanonicalForm: needs more than three samples");
   CanonicalForm form;
   const Matrix distances = sampleDistances(samples);
-  form.landmarks =
-      leastSquaresScaling(distances, samples.confidence, classicalScaling(distances));
+  form.landmarks = leastSquaresScaling(distances, samples.confidence, classicalScaling(distances));
   form.stress = normalizedStress(distances, samples.confidence, form.landmarks);
   form.eigenvalues = toPrincipalFrame(form.landmarks);
 

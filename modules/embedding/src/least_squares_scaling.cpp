@@ -63,8 +63,8 @@ Points leastSquaresScaling(const Matrix& distances, const Table& weights, const 
   const ceres::GradientProblem problem(new Stress(distances, weights));
   ceres::GradientProblemSolver::Options options;
   options.line_search_direction_type = ceres::LBFGS;
-  options.max_num_iterations = 500;
-  options.function_tolerance = 1e-6;
+  options.max_num_iterations = 3000;
+  options.function_tolerance = 1e-9;
   options.logging_type = ceres::SILENT;
   ceres::GradientProblemSolver::Summary summary;
   ceres::Solve(options, problem, points.data(), &summary);

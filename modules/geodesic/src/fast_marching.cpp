@@ -4,7 +4,6 @@
 #include <posture/geodesic/fast_marching.h>
 
 #include "unfolding.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

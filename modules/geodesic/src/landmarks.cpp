@@ -45,8 +45,10 @@ class BoundaryEdges {
 };
 
 /// 1 - m_h / m along the way back to the source, for every vertex reached.
-void pathConfidence(const GeodesicField& field, const BoundaryEdges& boundary,
-                    std::vector<int>& edges, std::vector<int>& hole_edges) {
+void pathConfidence(const GeodesicField& field,
+                    const BoundaryEdges& boundary,
+                    std::vector<int>& edges,
+                    std::vector<int>& hole_edges) {
   for (int v : field.order) {
     const int from = field.predecessor[v];
     edges[v] = from < 0 ? 0 : edges[from] + 1;

@@ -2,44 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "unfolding.h"
 
+#include <posture/mesh/edges.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace posture {
 namespace {
 
 using Eigen::Vector2d;
-
-/// The face beyond each side of each face (side k joins corners k and k + 1); -1 at the boundary
-/// and where more than two faces meet.
-Faces facesAcross(const Faces& faces) {
-  std::vector<std::tuple<int, int, int>> sides;
-  sides.reserve(faces.size());
-  for (int h = 0; h < faces.size(); ++h) {
-    const auto [a, b] = std::minmax(faces(h / 3, h % 3), faces(h / 3, (h + 1) % 3));
-    sides.emplace_back(a, b, h);
-  }
-  std::sort(sides.begin(), sides.end());
-  Faces across = Faces::Constant(faces.rows(), 3, -1);
-  const auto same_edge = [&](std::size_t i, std::size_t j) {
-    return j < sides.size() && std::get<0>(sides[i]) == std::get<0>(sides[j]) &&
-           std::get<1>(sides[i]) == std::get<1>(sides[j]);
-  };
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t end = i + 1;
-    while (same_edge(i, end)) ++end;
-    if (end - i == 2) {
-      const int g = std::get<2>(sides[i]), h = std::get<2>(sides[i + 1]);
-      across.data()[g] = h / 3;
-      across.data()[h] = g / 3;
-    }
-    i = end;
-  }
-  return across;
-}
 
 /// Lays the apex of a triangle above the base from (0, 0) to (base, 0), given its sides.
 Vector2d apexAbove(double base, double left_side, double right_side) {
@@ -76,7 +49,11 @@ class Unfolder {
   };
 
   /// Walks down the strip of faces below the apex until a vertex splits the corner.
-  void split(int face, int side, Corner c, const Vector2d& p, double base,
+  void split(int face,
+             int side,
+             Corner c,
+             const Vector2d& p,
+             double base,
              std::vector<UnfoldedTriangle>& out) const {
     const Vector2d far_left(0, 0), far_right(base, 0);
     Vector2d a = far_left, b = far_right;  // the edge the strip has come to
@@ -124,8 +101,13 @@ class Unfolder {
     return -1;
   }
 
-  static void addTriangle(int apex, int left, int right, const Vector2d& p, const Vector2d& l,
-                          const Vector2d& r, std::vector<UnfoldedTriangle>& out) {
+  static void addTriangle(int apex,
+                          int left,
+                          int right,
+                          const Vector2d& p,
+                          const Vector2d& l,
+                          const Vector2d& r,
+                          std::vector<UnfoldedTriangle>& out) {
     const double base = (r - l).norm();
     if (!(base > 0)) return;
     const Vector2d along = (r - l) / base, up(-along.y(), along.x());

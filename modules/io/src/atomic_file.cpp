@@ -6,6 +6,7 @@
 #include "input.h"
 #include <atomic>
 #include <cerrno>
+#include <fcntl.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -29,6 +30,24 @@ fs::path temporaryBeside(const fs::path& path) {
   return path.parent_path() / name;
 }
 
+/// A file without a name in that folder, which ends with the process whatever ends that; -1 where
+/// the file system has none.
+int openUnnamed(fs::path folder) {
+  if (folder.empty()) folder = ".";
+  return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+}
+
+std::string openFilePath(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
+
+/// Gives an open file a name; false where that name is taken.
+bool nameFile(int descriptor, const fs::path& path) {
+  return ::linkat(AT_FDCWD,
+                  openFilePath(descriptor).c_str(),
+                  AT_FDCWD,
+                  path.c_str(),
+                  AT_SYMLINK_FOLLOW) == 0;
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
@@ -41,6 +60,10 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   if (fs::exists(status) && fs::is_symlink(fs::symlink_status(path_, ignored)))
     path_ = fs::canonical(path_, ignored);
   temporary_ = temporaryBeside(path_);
+  unnamed_ = openUnnamed(path_.parent_path());
+  if (unnamed_ >= 0) stream_.open(openFilePath(unnamed_), std::ios::binary);
+  if (stream_.is_open()) return;
+  closeUnnamed();
   errno = 0;
   stream_.open(temporary_, std::ios::binary | std::ios::trunc);
   if (!stream_) failToWrite(path_, reasonOf(errno));
@@ -49,8 +72,8 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
 AtomicFile::~AtomicFile() {
   if (committed_) return;
   stream_.close();
-  std::error_code ignored;
-  fs::remove(temporary_, ignored);
+  if (unnamed_ < 0) removeTemporary();
+  closeUnnamed();
 }
 
 void AtomicFile::commit() {
@@ -59,10 +82,29 @@ void AtomicFile::commit() {
   stream_.flush();
   stream_.close();
   if (!stream_) failToWrite(path_, errno == 0 ? "the disk may be full" : reasonOf(errno));
+  // A name can be given but not taken over: over another file only a move goes.
+  if (unnamed_ < 0 || !nameFile(unnamed_, path_)) moveIntoPlace();
+  closeUnnamed();
+  committed_ = true;
+}
+
+void AtomicFile::moveIntoPlace() {
+  if (unnamed_ >= 0 && !nameFile(unnamed_, temporary_)) failToWrite(path_, reasonOf(errno));
   std::error_code error;
   fs::rename(temporary_, path_, error);
-  if (error) failToWrite(path_, error.message());
-  committed_ = true;
+  if (!error) return;
+  removeTemporary();
+  failToWrite(path_, error.message());
+}
+
+void AtomicFile::removeTemporary() {
+  std::error_code ignored;
+  fs::remove(temporary_, ignored);
+}
+
+void AtomicFile::closeUnnamed() {
+  if (unnamed_ >= 0) ::close(unnamed_);
+  unnamed_ = -1;
 }
 
 }  // namespace posture

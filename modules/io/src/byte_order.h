@@ -48,8 +48,8 @@ void appendLittle(std::string& bytes, T value) {
 enum class Scalar { INT8, UINT8, INT16, UINT16, INT32, UINT32, INT64, UINT64, FLOAT, DOUBLE };
 
 constexpr std::size_t sizeOf(Scalar type) {
-  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  return sizes[static_cast<int>(type)];
+  constexpr std::size_t SIZES[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  return SIZES[static_cast<int>(type)];
 }
 
 template <class T>
@@ -60,7 +60,7 @@ double loadAsDouble(std::string_view bytes, std::size_t offset, ByteOrder order)
 /// \pre offset + sizeOf(type) <= bytes.size()
 inline double loadScalar(std::string_view bytes, std::size_t offset, Scalar type, ByteOrder order) {
   using Load = double (*)(std::string_view, std::size_t, ByteOrder);
-  constexpr Load loads[] = {loadAsDouble<std::int8_t>,
+  constexpr Load LOADS[] = {loadAsDouble<std::int8_t>,
                             loadAsDouble<std::uint8_t>,
                             loadAsDouble<std::int16_t>,
                             loadAsDouble<std::uint16_t>,
@@ -70,7 +70,7 @@ inline double loadScalar(std::string_view bytes, std::size_t offset, Scalar type
                             loadAsDouble<std::uint64_t>,
                             loadAsDouble<float>,
                             loadAsDouble<double>};
-  return loads[static_cast<int>(type)](bytes, offset, order);
+  return LOADS[static_cast<int>(type)](bytes, offset, order);
 }
 
 }  // namespace posture

@@ -15,8 +15,8 @@
 namespace posture {
 namespace {
 
-constexpr std::string_view csv_header = "source,target,face,b0,b1,b2,confidence";
-constexpr int none = -1;
+constexpr std::string_view CSV_HEADER = "source,target,face,b0,b1,b2,confidence";
+constexpr int NONE = -1;
 
 using Fields = std::array<std::string_view, 7>;
 
@@ -55,7 +55,7 @@ Fields split(const Lines& lines) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const std::size_t comma = rest.find(',');
     if ((comma == std::string_view::npos) != (i + 1 == fields.size()))
-      lines.fail("not 7 fields, as in " + std::string(csv_header));
+      lines.fail("not 7 fields, as in " + std::string(CSV_HEADER));
     fields[i] = trimmed(rest.substr(0, comma));
     if (comma != std::string_view::npos) rest.remove_prefix(comma + 1);
   }
@@ -71,19 +71,19 @@ int index(const Lines& lines, std::string_view word, int smallest) {
 
 double share(const Lines& lines, std::string_view word) {
   double value = 0;
-  constexpr double rounding = 1e-6;
-  if (!parseNumber(word, value) || !(value >= -rounding && value <= 1 + rounding))
+  constexpr double ROUNDING = 1e-6;
+  if (!parseNumber(word, value) || !(value >= -ROUNDING && value <= 1 + ROUNDING))
     lines.fail(inQuotes(word) + " is not a number from 0 to 1");
   return value;
 }
 
 SurfacePoint toPoint(const Lines& lines, const Fields& fields) {
   SurfacePoint point;
-  point.vertex = index(lines, fields[1], none);
-  point.face = index(lines, fields[2], none);
+  point.vertex = index(lines, fields[1], NONE);
+  point.face = index(lines, fields[2], NONE);
   point.barycentric = {share(lines, fields[3]), share(lines, fields[4]), share(lines, fields[5])};
-  constexpr double rounding = 1e-4;
-  if (point.vertex >= 0 && point.face >= 0 && std::abs(point.barycentric.sum() - 1) > rounding)
+  constexpr double ROUNDING = 1e-4;
+  if (point.vertex >= 0 && point.face >= 0 && std::abs(point.barycentric.sum() - 1) > ROUNDING)
     lines.fail("b0, b1 and b2 do not add up to 1");
   return point;
 }
@@ -93,8 +93,8 @@ SurfacePoint toPoint(const Lines& lines, const Fields& fields) {
 Correspondence readCorrespondence(const std::filesystem::path& path) {
   const Input input(path);
   Lines lines(input);
-  if (!lines.next() || lines.line() != csv_header)
-    lines.fail("the first line is not " + std::string(csv_header));
+  if (!lines.next() || lines.line() != CSV_HEADER)
+    lines.fail("the first line is not " + std::string(CSV_HEADER));
   Correspondence result;
   std::vector<double> confidence;
   while (lines.next()) {
@@ -116,7 +116,7 @@ void writeCorrespondence(const std::filesystem::path& path, const Correspondence
   require(static_cast<std::size_t>(correspondence.confidence.size()) == points.size(),
           std::to_string(correspondence.confidence.size()) + " confidences for " +
               std::to_string(points.size()) + " vertices");
-  std::string text(csv_header);
+  std::string text(CSV_HEADER);
   text += '\n';
   for (std::size_t i = 0; i < points.size(); ++i) {
     SurfacePoint point = points[i];

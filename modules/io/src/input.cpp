@@ -37,11 +37,11 @@ Input::Input(const fs::path& path) : path_(path) {
   if (static_cast<std::uintmax_t>(stream.gcount()) != size) fail("cannot be read to its end");
 }
 
-void Input::fail(const std::string& what) const { failAt(no_offset, what); }
+void Input::fail(const std::string& what) const { failAt(NO_OFFSET, what); }
 
 void Input::failAt(std::size_t offset, const std::string& what) const {
   std::string message = onOneLine(path_.string()) + ": ";
-  if (offset != no_offset) {
+  if (offset != NO_OFFSET) {
     const auto end = bytes_.begin() + static_cast<std::ptrdiff_t>(std::min(offset, bytes_.size()));
     message += "line " + std::to_string(1 + std::count(bytes_.begin(), end, '\n')) + ": ";
   }
@@ -56,11 +56,11 @@ std::string onOneLine(std::string_view text) {
 }
 
 std::string inQuotes(std::string_view word) {
-  constexpr std::size_t longest = 24;
-  std::string text = onOneLine(word.substr(0, longest));
+  constexpr std::size_t LONGEST = 24;
+  std::string text = onOneLine(word.substr(0, LONGEST));
   for (char& c : text)
     if (static_cast<unsigned char>(c) >= 0x80) c = '?';
-  return "'" + text + (word.size() > longest ? "...'" : "'");
+  return "'" + text + (word.size() > LONGEST ? "...'" : "'");
 }
 
 }  // namespace posture

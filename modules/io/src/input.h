@@ -9,7 +9,7 @@
 
 namespace posture {
 
-constexpr std::size_t no_offset = static_cast<std::size_t>(-1);
+constexpr std::size_t NO_OFFSET = static_cast<std::size_t>(-1);
 
 /// A whole file in memory, and the way to say what is wrong with it.
 class Input {
@@ -21,7 +21,7 @@ class Input {
   const std::filesystem::path& path() const { return path_; }
 
   [[noreturn]] void fail(const std::string& what) const;
-  /// Names the line that holds the byte at `offset`; no_offset: as fail().
+  /// Names the line that holds the byte at `offset`; NO_OFFSET: as fail().
   [[noreturn]] void failAt(std::size_t offset, const std::string& what) const;
 
  private:

@@ -10,7 +10,7 @@
 namespace posture {
 namespace {
 
-constexpr std::int64_t most_numbers = std::numeric_limits<int>::max();
+constexpr std::int64_t MOST_NUMBERS = std::numeric_limits<int>::max();
 
 bool allFinite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
@@ -41,7 +41,7 @@ void MeshBuilder::addVertex(double x, double y, double z) {
 }
 
 void MeshBuilder::checkCorner(std::int64_t corner) {
-  if (corner < 0 || corner >= most_numbers)
+  if (corner < 0 || corner >= MOST_NUMBERS)
     input_.failAt(offset_, "face index " + std::to_string(corner) + " is out of range");
   if (corner > highest_corner_) {
     highest_corner_ = corner;
@@ -83,7 +83,7 @@ void MeshBuilder::checkHighestCorner() const {
 
 MeshFile MeshBuilder::finish(ColorRange range) {
   if (coordinates_.empty()) input_.fail("there are no vertices in it");
-  if (std::max(coordinates_.size(), corners_.size()) / 3 >= static_cast<std::size_t>(most_numbers))
+  if (std::max(coordinates_.size(), corners_.size()) / 3 >= static_cast<std::size_t>(MOST_NUMBERS))
     input_.fail("more vertices or faces than can be numbered");
   checkHighestCorner();
   MeshFile file;

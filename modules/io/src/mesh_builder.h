@@ -48,11 +48,11 @@ class MeshBuilder {
 
   const Input& input_;
   int index_base_;
-  std::size_t offset_ = no_offset;
+  std::size_t offset_ = NO_OFFSET;
   std::vector<double> coordinates_, normals_, colors_;
   std::vector<int> corners_;
   std::int64_t highest_corner_ = -1;
-  std::size_t highest_corner_offset_ = no_offset;
+  std::size_t highest_corner_offset_ = NO_OFFSET;
 };
 
 }  // namespace posture

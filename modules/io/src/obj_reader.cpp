@@ -14,7 +14,7 @@ namespace posture {
 namespace {
 
 // The statements that say nothing about polygons.
-constexpr std::string_view ignored[] = {
+constexpr std::string_view IGNORED[] = {
     "vt",       "vp",       "g",      "o",          "s",         "mg",    "l",     "p",    "usemtl",
     "mtllib",   "usemap",   "maplib", "cstype",     "deg",       "bmat",  "step",  "curv", "curv2",
     "surf",     "parm",     "trim",   "hole",       "scrv",      "sp",    "end",   "con",  "bevel",
@@ -34,7 +34,7 @@ class ObjReader {
         readNormal();
       else if (word == "f" || word == "fo")
         readFace();
-      else if (std::find(std::begin(ignored), std::end(ignored), word) != std::end(ignored))
+      else if (std::find(std::begin(IGNORED), std::end(IGNORED), word) != std::end(IGNORED))
         skipStatement();
       else
         text_.fail(inQuotes(word) + " is not an OBJ statement");

@@ -38,9 +38,9 @@ class OffReader {
     readKeyword();
     std::string_view word = text_.wordOnLine();
     if (word.empty()) word = text_.word();
-    constexpr std::size_t smallest_vertex = 6, smallest_face = 2;
-    const std::size_t vertices = text_.count(word, smallest_vertex, "the number of vertices");
-    const std::size_t faces = text_.count(text_.word(), smallest_face, "the number of faces");
+    constexpr std::size_t SMALLEST_VERTEX = 6, SMALLEST_FACE = 2;
+    const std::size_t vertices = text_.count(word, SMALLEST_VERTEX, "the number of vertices");
+    const std::size_t faces = text_.count(text_.word(), SMALLEST_FACE, "the number of faces");
     builder_.reserve(vertices, faces);
     for (std::size_t i = 0; i < vertices; ++i) readVertex(i, vertices);
     for (std::size_t i = 0; i < faces; ++i) readFace(i, faces);

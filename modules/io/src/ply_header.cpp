@@ -74,7 +74,7 @@ class HeaderReader {
   }
 
   Scalar readType(std::string_view name) const {
-    static const std::pair<std::string_view, Scalar> types[] = {{"char", Scalar::INT8},
+    static const std::pair<std::string_view, Scalar> TYPES[] = {{"char", Scalar::INT8},
                                                                 {"int8", Scalar::INT8},
                                                                 {"uchar", Scalar::UINT8},
                                                                 {"uint8", Scalar::UINT8},
@@ -92,7 +92,7 @@ class HeaderReader {
                                                                 {"float32", Scalar::FLOAT},
                                                                 {"double", Scalar::DOUBLE},
                                                                 {"float64", Scalar::DOUBLE}};
-    for (const auto& [known, type] : types)
+    for (const auto& [known, type] : TYPES)
       if (name == known) return type;
     text_.fail("unknown property type " + inQuotes(name));
   }

@@ -39,7 +39,7 @@ class BinaryBody {
   }
   std::size_t remaining() const { return input_.bytes().size() - offset_; }
   static std::size_t smallest(Scalar type) { return sizeOf(type); }
-  static std::size_t place() { return no_offset; }
+  static std::size_t place() { return NO_OFFSET; }
   [[noreturn]] void fail(const std::string& what) const { input_.fail(what); }
 
  private:

@@ -10,7 +10,7 @@
 namespace posture {
 namespace {
 
-constexpr std::size_t head_size = 80, facet_size = 50;
+constexpr std::size_t HEAD_SIZE = 80, FACET_SIZE = 50;
 
 class AsciiStlReader {
  public:
@@ -72,10 +72,10 @@ class AsciiStlReader {
 
 MeshFile readBinaryStl(const Input& input) {
   const std::string_view bytes = input.bytes();
-  if (bytes.size() < head_size + 4)
+  if (bytes.size() < HEAD_SIZE + 4)
     input.fail("truncated: shorter than the head of a binary STL file");
-  const auto facets = loadNumber<std::uint32_t>(bytes, head_size, ByteOrder::LITTLE);
-  const std::size_t whole_facets = (bytes.size() - head_size - 4) / facet_size;
+  const auto facets = loadNumber<std::uint32_t>(bytes, HEAD_SIZE, ByteOrder::LITTLE);
+  const std::size_t whole_facets = (bytes.size() - HEAD_SIZE - 4) / FACET_SIZE;
   if (facets > whole_facets)
     input.fail("truncated: its head says " + std::to_string(facets) + " facets, there are " +
                std::to_string(whole_facets));
@@ -83,7 +83,7 @@ MeshFile readBinaryStl(const Input& input) {
   builder.reserve(std::size_t{3} * facets, facets);
   std::vector<std::int64_t> corners(3);
   for (std::size_t facet = 0; facet < facets; ++facet) {
-    std::size_t offset = head_size + 4 + facet * facet_size + 12;
+    std::size_t offset = HEAD_SIZE + 4 + facet * FACET_SIZE + 12;
     for (std::int64_t& corner : corners) {
       corner = static_cast<std::int64_t>(builder.vertexCount());
       builder.addVertex(loadNumber<float>(bytes, offset, ByteOrder::LITTLE),
@@ -104,10 +104,10 @@ bool isAsciiStl(std::string_view bytes) {
 }  // namespace
 
 bool isBinaryStl(std::string_view bytes) {
-  return bytes.size() > head_size + 4 &&
-         bytes.size() == head_size + 4 +
-                             facet_size * std::size_t{loadNumber<std::uint32_t>(
-                                              bytes, head_size, ByteOrder::LITTLE)};
+  return bytes.size() > HEAD_SIZE + 4 &&
+         bytes.size() == HEAD_SIZE + 4 +
+                             FACET_SIZE * std::size_t{loadNumber<std::uint32_t>(
+                                              bytes, HEAD_SIZE, ByteOrder::LITTLE)};
 }
 
 MeshFile readStl(const Input& input) {

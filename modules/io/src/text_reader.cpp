@@ -45,8 +45,8 @@ bool parseInteger(std::string_view word, std::int64_t& value) {
 }
 
 bool toWhole(double value, std::int64_t& whole) {
-  constexpr double largest = 1e15;
-  if (!(std::abs(value) < largest) || value != std::floor(value)) return false;
+  constexpr double LARGEST = 1e15;
+  if (!(std::abs(value) < LARGEST) || value != std::floor(value)) return false;
   whole = static_cast<std::int64_t>(value);
   return true;
 }

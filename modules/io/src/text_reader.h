@@ -42,7 +42,7 @@ class TextReader {
   /// For a file with binary parts, where counting lines means nothing.
   void nameNoLines() { names_lines_ = false; }
   [[noreturn]] void fail(const std::string& what) const {
-    input_.failAt(names_lines_ ? offset_ : no_offset, what);
+    input_.failAt(names_lines_ ? offset_ : NO_OFFSET, what);
   }
 
  private:

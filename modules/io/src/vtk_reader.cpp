@@ -185,7 +185,7 @@ class VtkReader {
   }
 
   Scalar readType() {
-    static const std::pair<std::string_view, Scalar> types[] = {{"char", Scalar::INT8},
+    static const std::pair<std::string_view, Scalar> TYPES[] = {{"char", Scalar::INT8},
                                                                 {"signed_char", Scalar::INT8},
                                                                 {"unsigned_char", Scalar::UINT8},
                                                                 {"short", Scalar::INT16},
@@ -201,7 +201,7 @@ class VtkReader {
                                                                 {"float", Scalar::FLOAT},
                                                                 {"double", Scalar::DOUBLE}};
     const std::string_view word = text_.word();
-    for (const auto& [name, type] : types)
+    for (const auto& [name, type] : TYPES)
       if (lowercase(word) == name) return type;
     text_.fail("unknown number type " + inQuotes(word));
   }

@@ -3,17 +3,61 @@
 #include <posture/matching/assignment.h>
 #include <posture/matching/candidates.h>
 
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include <algorithm>
+
 namespace posture {
 namespace {
 
+CostMatrix distances(const Points& source, const Points& target) {
+  CostMatrix cost(source.rows(), target.rows());
+  for (int i = 0; i < source.rows(); ++i)
+    cost.row(i) = (target.rowwise() - source.row(i)).rowwise().norm().transpose();
+  return cost;
+}
+
+/// `source` moved by the rigid motion that lowers the sum of distances to its counterparts: weights
+/// 1 / distance make the sum of squares one of distances (Weiszfeld 1937).
+Points moveOnto(const Points& source, const Points& target, const Assignment& assignment) {
+  const int s = static_cast<int>(source.rows());
+  Points to = source;
+  Vector weight = Vector::Zero(s);
+  const double floor = 1e-3 * assignment.cost / s;  // an exact match pulls finitely
+  for (int i = 0; i < s; ++i) {
+    if (assignment.column_of_row[i] < 0) continue;
+    to.row(i) = target.row(assignment.column_of_row[i]);
+    weight[i] = 1 / std::max((to.row(i) - source.row(i)).norm(), floor);
+  }
+  if (!(weight.sum() > 0)) return source;
+  weight /= weight.sum();
+  const Eigen::RowVector3d from_mean = weight.transpose() * source, to_mean = weight.transpose() * to;
+  const Eigen::Matrix3d covariance = (source.rowwise() - from_mean).transpose() *
+                                     weight.asDiagonal() * (to.rowwise() - to_mean);
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const bool mirrors = (svd.matrixU() * svd.matrixV()).determinant() < 0;
+  const Eigen::Vector3d handedness(1, 1, mirrors ? -1 : 1);
+  const Eigen::Matrix3d turn = svd.matrixU() * handedness.asDiagonal() * svd.matrixV().transpose();
+  return ((source.rowwise() - from_mean) * turn).rowwise() + to_mean;
+}
+
+/// From one choice of signs to the nearest optimum of assignment and rigid motion together: each is
+/// the best for the other in turn, until E_H falls by less than a hundredth.
 Candidate align(const Points& source, const Points& target, const std::array<int, 3>& signs) {
   const Eigen::RowVector3d flip(signs[0], signs[1], signs[2]);
-  CostMatrix cost(source.rows(), target.rows());
-  for (int i = 0; i < source.rows(); ++i) {
-    const Eigen::RowVector3d flipped = source.row(i).cwiseProduct(flip);
-    cost.row(i) = (target.rowwise() - flipped).rowwise().norm().transpose();
+  Points moved = source.array().rowwise() * flip.array();
+  Assignment assignment = minimumCostAssignment(distances(moved, target));
+  while (true) {
+    const Points closer = moveOnto(moved, target, assignment);
+    Assignment better = minimumCostAssignment(distances(closer, target));
+    const bool settled = better.cost > 0.99 * assignment.cost;
+    if (better.cost < assignment.cost) {
+      moved = closer;
+      assignment = std::move(better);
+    }
+    if (settled) break;
   }
-  const Assignment assignment = minimumCostAssignment(cost);
   Candidate candidate;
   candidate.axis_signs = signs;
   candidate.cost = assignment.cost;

@@ -5,10 +5,9 @@
 #include <posture/mesh/edges.h>
 #include <posture/mesh/point_index.h>
 
+#include <Eigen/Geometry>
 #include <boost/container_hash/hash.hpp>
 #include <boost/pending/disjoint_sets.hpp>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -39,9 +38,8 @@ std::vector<Eigen::Vector3i> usableFaces(const Faces& faces,
   std::vector<Eigen::Vector3i> usable;
   std::set<std::array<int, 3>> seen;
   for (int f = 0; f < faces.rows(); ++f) {
-    const Eigen::Vector3i t(representative[faces(f, 0)],
-                            representative[faces(f, 1)],
-                            representative[faces(f, 2)]);
+    const Eigen::Vector3i t(
+        representative[faces(f, 0)], representative[faces(f, 1)], representative[faces(f, 2)]);
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
       ++summary.degenerate_faces;
       continue;
@@ -87,31 +85,6 @@ std::pair<std::vector<int>, int> components(const TriangleMesh& mesh, CleaningSu
   return {component, largest->first};
 }
 
-/// The faces beyond each side of each face, across edges of exactly two faces; -1 elsewhere.
-Faces manifoldNeighbors(const Faces& faces) {
-  struct Side {
-    int a, b, face, side;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * faces.rows());
-  for (int f = 0; f < faces.rows(); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const auto [a, b] = std::minmax(faces(f, k), faces(f, (k + 1) % 3));
-      sides.push_back({a, b, f, k});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-    return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face);
-  });
-  Faces neighbors = Faces::Constant(faces.rows(), 3, -1);
-  for (std::size_t i = 0, j; i < sides.size(); i = j) {
-    for (j = i; j < sides.size() && sides[j].a == sides[i].a && sides[j].b == sides[i].b;) ++j;
-    if (j - i != 2) continue;
-    neighbors(sides[i].face, sides[i].side) = sides[i + 1].face;
-    neighbors(sides[i + 1].face, sides[i + 1].side) = sides[i].face;
-  }
-  return neighbors;
-}
-
 bool hasDirectedEdge(const Faces& faces, int face, int from, int to) {
   for (int k = 0; k < 3; ++k)
     if (faces(face, k) == from && faces(face, (k + 1) % 3) == to) return true;
@@ -134,7 +107,7 @@ double signedVolume(const TriangleMesh& mesh, const std::vector<int>& patch) {
 /// of its area already faces.
 int orient(TriangleMesh& mesh) {
   const Faces given = mesh.faces;
-  const Faces neighbors = manifoldNeighbors(given);
+  const Faces across = facesAcross(given);
   const Vector areas = faceAreas(mesh);
   std::vector<char> visited(given.rows(), 0);
   for (int seed = 0; seed < given.rows(); ++seed) {
@@ -147,7 +120,7 @@ int orient(TriangleMesh& mesh) {
       const int f = patch[next];
       agreeing += mesh.faces.row(f) == given.row(f) ? areas[f] : -areas[f];
       for (int k = 0; k < 3; ++k) {
-        const int g = neighbors(f, k);
+        const int g = across(f, k);
         closed = closed && g >= 0;
         if (g < 0 || visited[g]) continue;
         visited[g] = 1;
@@ -168,8 +141,7 @@ int orient(TriangleMesh& mesh) {
 
 /// Input vertices that are no corner of the main surface follow the clean vertex nearest to them.
 void attachLooseVertices(const Points& vertices, CleanMesh& clean) {
-  const bool any_loose =
-      std::count(clean.clean_vertex.begin(), clean.clean_vertex.end(), -1) > 0;
+  const bool any_loose = std::count(clean.clean_vertex.begin(), clean.clean_vertex.end(), -1) > 0;
   if (!any_loose) return;
   const PointIndex index(clean.mesh.vertices);
   for (int v = 0; v < vertices.rows(); ++v) {
@@ -196,6 +168,12 @@ CleanMesh cleanMesh(const TriangleMesh& input) {
   for (int i = 0; i < input.faces.size(); ++i) referenced[input.faces.data()[i]] = 1;
   summary.unreferenced_vertices =
       static_cast<int>(std::count(referenced.begin(), referenced.end(), 0));
+
+  const Eigen::RowVector3d extent =
+      input.vertices.colwise().maxCoeff() - input.vertices.colwise().minCoeff();
+  // Rounding leaves corners in a line this much.
+  if (!(faceAreas(welded).sum() > 1e-12 * extent.squaredNorm()))
+    throw InputError("has only faces without area");
 
   const auto [component, main_component] = components(welded, summary);
   clean.clean_vertex.assign(n, -1);

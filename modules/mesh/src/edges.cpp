@@ -5,24 +5,59 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <utility>
+#include <tuple>
 
 namespace posture {
 
+namespace {
+
+/// A side of a face, seen as the edge it lies on.
+struct Side {
+  int first;  ///< < second
+  int second;
+  int number;  ///< 3 face + k
+
+  auto edge() const { return std::tie(first, second); }
+};
+
+/// By edge, then by number.
+std::vector<Side> sortedSides(const Faces& faces) {
+  std::vector<Side> sides;
+  sides.reserve(faces.size());
+  for (int h = 0; h < faces.size(); ++h) {
+    const auto [a, b] = std::minmax(faces(h / 3, h % 3), faces(h / 3, (h + 1) % 3));
+    sides.push_back({a, b, h});
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.first, a.second, a.number) < std::tie(b.first, b.second, b.number);
+  });
+  return sides;
+}
+
+}  // namespace
+
 std::vector<Edge> meshEdges(const Faces& faces) {
-  std::vector<std::pair<int, int>> sides;
-  sides.reserve(3 * faces.rows());
-  for (int f = 0; f < faces.rows(); ++f)
-    for (int k = 0; k < 3; ++k) sides.push_back(std::minmax(faces(f, k), faces(f, (k + 1) % 3)));
-  std::sort(sides.begin(), sides.end());
   std::vector<Edge> edges;
-  for (const auto& [a, b] : sides) {
-    if (!edges.empty() && edges.back().first == a && edges.back().second == b)
+  for (const Side& side : sortedSides(faces)) {
+    if (!edges.empty() && side.edge() == std::tie(edges.back().first, edges.back().second))
       ++edges.back().faces;
     else
-      edges.push_back({a, b, 1});
+      edges.push_back({side.first, side.second, 1});
   }
   return edges;
+}
+
+Faces facesAcross(const Faces& faces) {
+  const std::vector<Side> sides = sortedSides(faces);
+  Faces across = Faces::Constant(faces.rows(), 3, -1);
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+    while (end < sides.size() && sides[end].edge() == sides[begin].edge()) ++end;
+    if (end - begin != 2) continue;
+    const int a = sides[begin].number, b = sides[begin + 1].number;
+    across.data()[a] = b / 3;
+    across.data()[b] = a / 3;
+  }
+  return across;
 }
 
 double meanEdgeLength(const TriangleMesh& mesh) {

@@ -166,7 +166,8 @@ std::string HalfEdgeMesh::check() const {
     if (!isLive(next(h))) return "a face is half removed";
     if (origin_[h] == target(h)) return "a face has a corner twice";
     const int t = twin_[h];
-    if (t >= 0 && (!isLive(t) || twin_[t] != h || origin_[t] != target(h) || target(t) != origin_[h]))
+    if (t >= 0 &&
+        (!isLive(t) || twin_[t] != h || origin_[t] != target(h) || target(t) != origin_[h]))
       return "twins do not match";
     directed.emplace_back(origin_[h], target(h));
     ++leaving[origin_[h]];

@@ -4,8 +4,10 @@
 
 #include <posture/core/parallel.h>
 #include <posture/matching/consistency.h>
+#include <posture/refine/orientation.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace posture {
 namespace {
@@ -24,6 +26,13 @@ std::vector<VertexPair> oneToOne(const DenseMap& map, int target_count) {
   for (int t = 0; t < target_count; ++t)
     if (source_of[t] >= 0) pairs.push_back({source_of[t], t});
   return pairs;
+}
+
+Points normalsAt(const std::vector<VertexPair>& pairs, const TriangleMesh& target) {
+  const Points normals = vertexNormals(target);
+  Points at_pairs(pairs.size(), 3);
+  for (std::size_t i = 0; i < pairs.size(); ++i) at_pairs.row(i) = normals.row(pairs[i].target);
+  return at_pairs;
 }
 
 }  // namespace
@@ -50,19 +59,24 @@ Hypothesis evaluateCandidate(const EmbeddedShape& source,
   h.consistency = m > 1 ? (consistency.sum() - m) / (m * (m - 1)) : 0;
   h.kernel = consistencyKernel(consistency, threshold);
   h.map = computeDenseMap(source, target, candidate, h.kernel, threshold);
-  h.common = computeCommonMeshes(
-      source.mesh, target.mesh, oneToOne(h.map, static_cast<int>(target.mesh.vertices.rows())));
+  const std::vector<VertexPair> pairs =
+      oneToOne(h.map, static_cast<int>(target.mesh.vertices.rows()));
+  h.common = computeCommonMeshes(source.mesh, target.mesh, pairs);
   h.source_energy = deformationEnergy(h.common.from_source);
   h.target_energy = deformationEnergy(h.common.from_target);
+  h.orientation = orientationVote(h.common.from_source, normalsAt(pairs, target.mesh));
   return h;
 }
 
-int leastDeformed(const std::vector<Hypothesis>& hypotheses) {
-  const auto least = std::min_element(
-      hypotheses.begin(), hypotheses.end(), [](const Hypothesis& a, const Hypothesis& b) {
-        return a.energy() < b.energy();
+int choose(const std::vector<Hypothesis>& hypotheses, Method method) {
+  const auto turned = [&](const Hypothesis& h) {
+    return method == Method::ORIENTED && !(h.orientation > 0);
+  };
+  const auto best = std::min_element(
+      hypotheses.begin(), hypotheses.end(), [&](const Hypothesis& a, const Hypothesis& b) {
+        return std::pair(turned(a), a.energy()) < std::pair(turned(b), b.energy());
       });
-  return static_cast<int>(least - hypotheses.begin());
+  return static_cast<int>(best - hypotheses.begin());
 }
 
 std::vector<StagePicture> hypothesisPictures(const EmbeddedShape& source,

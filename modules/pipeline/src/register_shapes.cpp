@@ -14,6 +14,7 @@ namespace posture {
 // The method of Wuhrer, Shu and Bose 2009, a stage a line; sections and equations are the paper's.
 RegistrationResult registerShapes(const TriangleMesh& source_input,
                                   const TriangleMesh& target_input,
+                                  const RegistrationOptions& options,
                                   const Observer& observer) {
   StageClock clock(observer);
 
@@ -61,8 +62,8 @@ RegistrationResult registerShapes(const TriangleMesh& source_input,
   });
   clock.show([&] { return hypothesisPictures(source, target, hypotheses); });
 
-  // 5: the candidate of least deformation wins.
-  const int chosen = leastDeformed(hypotheses);
+  // 5: the candidate of least deformation wins; beyond the paper, of those that keep the outside out.
+  const int chosen = choose(hypotheses, options.method);
   RegistrationResult result = clock.stage("result", 0.0, [&] {
     return assembleResult({source_input, source_clean, source},
                           {target_input, target_clean, target},

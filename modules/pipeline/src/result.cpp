@@ -46,6 +46,7 @@ HypothesisSummary summarize(const Hypothesis& h, const Side& source, const Side&
   summary.source_energy = h.source_energy;
   summary.target_energy = h.target_energy;
   summary.energy = h.energy();
+  summary.orientation = h.orientation;
   summary.target_vertex = toInput(h.map.target_vertex, source.clean, target.clean);
   return summary;
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/report/peak_memory.h>
 #include <posture/report/report_html.h>
 #include <posture/report/table.h>
 
@@ -32,7 +33,7 @@ std::string row(const std::vector<std::string>& cells, const std::string& cell_t
 }
 
 std::string base64(const std::string& bytes) {
-  static const char* const digits =
+  static const char* const DIGITS =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
@@ -40,7 +41,7 @@ std::string base64(const std::string& bytes) {
     for (std::size_t k = 0; k < 3; ++k)
       value = value << 8u | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
     for (int k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? digits[value >> (18u - 6u * k) & 63u] : '=';
+      text += i + k <= bytes.size() ? DIGITS[value >> (18u - 6u * k) & 63u] : '=';
   }
   return text;
 }
@@ -80,10 +81,18 @@ std::string pictureTag(const ReportPicture& picture) {
 }
 
 std::string candidates(const RegistrationResult& result) {
-  std::string content = element(
-      "tr",
-      row({"Axis signs", "E_H", "matched", "kernel", "accepted", "common", "E(M0)", "E(M1)", "E_D"},
-          "th"));
+  std::string content = element("tr",
+                                row({"Axis signs",
+                                     "E_H",
+                                     "matched",
+                                     "kernel",
+                                     "accepted",
+                                     "common",
+                                     "E(M0)",
+                                     "E(M1)",
+                                     "E_D",
+                                     "orientation"},
+                                    "th"));
   for (std::size_t k = 0; k < result.hypotheses.size(); ++k) {
     const HypothesisSummary& candidate = result.hypotheses[k];
     std::string signs;
@@ -96,7 +105,8 @@ std::string candidates(const RegistrationResult& result) {
                                    std::to_string(candidate.common_vertices),
                                    formatShort(candidate.source_energy),
                                    formatShort(candidate.target_energy),
-                                   formatShort(candidate.energy)});
+                                   formatShort(candidate.energy),
+                                   formatFixed(candidate.orientation, 2)});
     const bool chosen = static_cast<int>(k) == result.chosen;
     content += element(chosen ? "tr class=\"chosen\"" : "tr", cells);
   }
@@ -153,7 +163,7 @@ std::string thisRun(const RegistrationResult& result, const RunDescription& run)
             element("td class=\"wide\"",
                     "<span class=\"bar\" style=\"width:" + formatFixed(width, 1) + "%\"></span>"));
   }
-  const std::string memory = formatFixed(double(peakMemoryBytes()) / (1024.0 * 1024), 0) + " MiB";
+  const std::string memory = formatFixed(peakMemoryMib(), 0) + " MiB";
   return element("table", content) +
          element("p",
                  "In all " + formatFixed(run.seconds, 2) + " s with " +
@@ -175,7 +185,8 @@ std::string reportHtml(const RegistrationResult& result,
   body += section("Candidates",
                   element("p class=\"note\"",
                           "Each way to lay one canonical form on the other; the least deformed "
-                          "common mesh (E_D) wins.") +
+                          "common mesh (E_D) wins. Orientation below 0: the map turns the surface "
+                          "inside out, which only the published method accepts.") +
                       candidates(result));
   body += section("Shapes", shapes(result, run));
   if (!run.options.empty()) body += section("Options", list(run.options));

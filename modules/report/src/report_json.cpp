@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/report/peak_memory.h>
 #include <posture/report/report_json.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <sys/resource.h>
 
 namespace posture {
 namespace {
@@ -48,12 +48,14 @@ Json describe(const HypothesisSummary& hypothesis, bool chosen) {
           {"chosen", chosen},
           {"assignment_cost_E_H", number(hypothesis.assignment_cost)},
           {"matched_samples", hypothesis.matched_samples},
+          {"mean_consistency", number(hypothesis.consistency)},
           {"kernel_samples", hypothesis.kernel_samples},
           {"accepted_vertices", hypothesis.accepted_vertices},
           {"common_vertices", hypothesis.common_vertices},
           {"source_energy_E_M0", number(hypothesis.source_energy)},
           {"target_energy_E_M1", number(hypothesis.target_energy)},
-          {"energy_E_D", number(hypothesis.energy)}};
+          {"energy_E_D", number(hypothesis.energy)},
+          {"orientation_vote", number(hypothesis.orientation)}};
 }
 
 /// The figures that tell how far to trust the result.
@@ -136,12 +138,6 @@ std::string reportJson(const RegistrationResult& result, const RunDescription& r
       {"versions", versions()},
       {"run", describeRun(result, run)}};
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-long peakMemoryBytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss * 1024L;
 }
 
 }  // namespace posture

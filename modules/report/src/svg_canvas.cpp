@@ -78,9 +78,9 @@ double SvgCanvas::bottom() const { return height_ - BOTTOM; }
 
 std::string SvgCanvas::color(std::size_t index) {
   // Okabe and Ito's colours: told apart by the colour-blind, too.
-  static const std::array<const char*, 7> colors = {
+  static const std::array<const char*, 7> COLORS = {
       "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
-  return colors[index % colors.size()];
+  return COLORS[index % COLORS.size()];
 }
 
 void SvgCanvas::addText(double x, double y, const std::string& style, const std::string& text) {

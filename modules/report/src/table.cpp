@@ -35,8 +35,8 @@ bool looksNumeric(const std::string& text) {
 }
 
 const std::string& cell(const std::vector<std::string>& row, std::size_t column) {
-  static const std::string nothing;
-  return column < row.size() ? row[column] : nothing;
+  static const std::string NOTHING;
+  return column < row.size() ? row[column] : NOTHING;
 }
 
 void checkRows(const TextTable& table) {

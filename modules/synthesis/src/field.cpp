@@ -21,10 +21,10 @@ double smoothMin(double a, double b, double blend) {
 
 /// Three slow waves across directions without symmetry.
 Vec3 warped(const Vec3& p) {
-  static const Vec3 ways[3] = {{.8, .3, -.5}, {-.4, .5, .75}, {.5, -.8, .35}};
-  return p + WARP * (std::sin(7.0 * p.x() + 9.0 * p.y() - 5.0 * p.z() + 0.4) * ways[0] +
-                     std::sin(-9.0 * p.x() + 6.0 * p.y() + 8.0 * p.z() + 2.1) * ways[1] +
-                     std::sin(8.0 * p.x() - 10.0 * p.y() + 6.0 * p.z() + 4.0) * ways[2]);
+  static const Vec3 WAYS[3] = {{.8, .3, -.5}, {-.4, .5, .75}, {.5, -.8, .35}};
+  return p + WARP * (std::sin(7.0 * p.x() + 9.0 * p.y() - 5.0 * p.z() + 0.4) * WAYS[0] +
+                     std::sin(-9.0 * p.x() + 6.0 * p.y() + 8.0 * p.z() + 2.1) * WAYS[1] +
+                     std::sin(8.0 * p.x() - 10.0 * p.y() + 6.0 * p.z() + 4.0) * WAYS[2]);
 }
 
 }  // namespace
@@ -83,11 +83,11 @@ double FleshField::value(const Vec3& place) const {
 
 Vec3 FleshField::gradient(const Vec3& p) const {
   // Differences along the corners of a tetrahedron: four values instead of six.
-  constexpr double h = 5e-4;
-  static const Vec3 corners[4] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  constexpr double STEP = 5e-4;
+  static const Vec3 CORNERS[4] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   Vec3 g = Vec3::Zero();
-  for (const Vec3& corner : corners) g += corner * value(p + h * corner);
-  return g / (4 * h);
+  for (const Vec3& corner : CORNERS) g += corner * value(p + STEP * corner);
+  return g / (4 * STEP);
 }
 
 Vec3 FleshField::project(Vec3 p) const {

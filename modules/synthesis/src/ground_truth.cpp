@@ -77,10 +77,10 @@ std::vector<VertexPair> groundTruth(const ArticulatedBody& source, const Articul
 }
 
 std::vector<VertexPair> mirrorTruth(const ArticulatedBody& source, const ArticulatedBody& target) {
-  constexpr double asymmetry = 0.012;  // the halves of the body differ by at most about so much
+  constexpr double ASYMMETRY = 0.012;  // the halves of the body differ by at most about so much
   Points reflected = source.rest_position;
   reflected.col(0) *= -1;
-  return nearestPairs(reflected, target, asymmetry);
+  return nearestPairs(reflected, target, ASYMMETRY);
 }
 
 }  // namespace posture

@@ -9,7 +9,7 @@ namespace posture::synthesis {
 // the trunk to the left.
 const std::vector<PoseTable>& humanPoses() {
   // clang-format off
-  static const std::vector<PoseTable> poses = {
+  static const std::vector<PoseTable> POSES = {
       // 1: walking
       {{"thigh_r", {28, 0, 0}}, {"shin_r", {-10, 0, 0}}, {"foot_r", {6, 0, 0}},
        {"thigh_l", {-18, 0, 0}}, {"shin_l", {-22, 0, 0}}, {"foot_l", {-12, 0, 0}},
@@ -56,7 +56,7 @@ const std::vector<PoseTable>& humanPoses() {
        {"clavicle", {14, 4, 0}}, {"upper_arm", {72, 14, 0}}, {"forearm", {16, 0, 0}}},
   };
   // clang-format on
-  return poses;
+  return POSES;
 }
 
 }  // namespace posture::synthesis

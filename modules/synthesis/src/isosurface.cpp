@@ -156,7 +156,7 @@ TriangleMesh isosurface(const FleshField& field, double spacing, int tessellatio
   Lattice lattice = makeLattice(field, spacing, tessellation);
   sample(field, lattice);
   // Kuhn's six tetrahedra: the ways from one corner of the cube to the opposite one.
-  constexpr int ways[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+  constexpr int WAYS[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
   Marcher marcher(lattice);
   const auto [nx, ny, nz] = lattice.size;
   const int step[3] = {1, nx, nx * ny};
@@ -164,7 +164,7 @@ TriangleMesh isosurface(const FleshField& field, double spacing, int tessellatio
     for (int j = 0; j + 1 < ny; ++j)
       for (int i = 0; i + 1 < nx; ++i) {
         const int n = lattice.index(i, j, k);
-        for (const auto& way : ways) {
+        for (const auto& way : WAYS) {
           std::array<int, 4> tet = {n, n + step[way[0]], 0, n + step[0] + step[1] + step[2]};
           tet[2] = tet[1] + step[way[1]];
           marcher.march(tet);

@@ -8,7 +8,7 @@ namespace posture::synthesis {
 // the tail; side turns to the body's right, or away from the body for paired bones.
 const std::vector<PoseTable>& quadrupedPoses() {
   // clang-format off
-  static const std::vector<PoseTable> poses = {
+  static const std::vector<PoseTable> POSES = {
       // 1: walking
       {{"upper_arm_r", {24, 0, 0}}, {"forearm_r", {4, 0, 0}}, {"forepaw_r", {-14, 0, 0}},
        {"upper_arm_l", {-24, 0, 0}}, {"forearm_l", {6, 0, 0}}, {"forepaw_l", {-8, 0, 0}},
@@ -70,7 +70,7 @@ const std::vector<PoseTable>& quadrupedPoses() {
        {"tail2", {-26, 0, 0}}},
   };
   // clang-format on
-  return poses;
+  return POSES;
 }
 
 }  // namespace posture::synthesis

@@ -98,7 +98,7 @@ Matrix skinWeights(const BodyShape& shape, const FleshField& field, const Points
 
 std::vector<Eigen::Isometry3d> boneMotions(const BodyShape& shape,
                                            const std::vector<JointAngles>& angles) {
-  constexpr double degree = 3.14159265358979323846 / 180;
+  constexpr double DEGREE = 3.14159265358979323846 / 180;
   std::vector<Eigen::Isometry3d> motions;
   for (std::size_t b = 0; b < shape.bones.size(); ++b) {
     const Bone& bone = shape.bones[b];
@@ -107,9 +107,9 @@ std::vector<Eigen::Isometry3d> boneMotions(const BodyShape& shape,
     const Vec3 side = twist.cross(flex);
     Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
     turn.translate(bone.joint);
-    turn.rotate(Eigen::AngleAxisd(angles[b].side * degree, side));
-    turn.rotate(Eigen::AngleAxisd(angles[b].flex * degree, flex));
-    turn.rotate(Eigen::AngleAxisd(angles[b].twist * degree, twist));
+    turn.rotate(Eigen::AngleAxisd(angles[b].side * DEGREE, side));
+    turn.rotate(Eigen::AngleAxisd(angles[b].flex * DEGREE, flex));
+    turn.rotate(Eigen::AngleAxisd(angles[b].twist * DEGREE, twist));
     turn.translate(-bone.joint);
     motions.push_back(bone.parent < 0 ? turn : motions[bone.parent] * turn);
   }

@@ -11,9 +11,9 @@ namespace posture {
 
 /// The distances from one source over a mesh, and the way each of them came.
 struct GeodesicField {
-  std::vector<double> distance;   ///< n, in mesh units; infinity where not reached
-  std::vector<int> predecessor;   ///< n: the neighbour the front came through; -1 at the source
-  std::vector<int> order;         ///< vertices reached, by increasing distance
+  std::vector<double> distance;  ///< n, in mesh units; infinity where not reached
+  std::vector<int> predecessor;  ///< n: the neighbour the front came through; -1 at the source
+  std::vector<int> order;        ///< vertices reached, by increasing distance
 };
 
 /// Geodesic distances on triangle meshes by fast marching (Kimmel and Sethian 1998), with obtuse
@@ -40,7 +40,9 @@ class FastMarching {
   /// Lowers `distance` (n, infinity where nothing was reached so far) to the distance from `source`
   /// wherever that is less, and touches no other part of the mesh: the cost is that of the
   /// source's Voronoi cell. `nearest` (n) becomes `label` there.
-  void marchWithin(int source, int label, std::vector<double>& distance,
+  void marchWithin(int source,
+                   int label,
+                   std::vector<double>& distance,
                    std::vector<int>& nearest) const;
 
   int vertexCount() const;

@@ -15,7 +15,7 @@ struct Landmarks {
   std::vector<int> nearest;   ///< n: the sample (index into `vertices`) nearest to each vertex
   Table distances;            ///< s x n, in mesh units; infinity where not connected
   Table confidence;           ///< s x s, in [0, 1], symmetric: w of section 4.1
-  double covering_radius = 0; ///< no vertex is farther from its nearest sample, in mesh units
+  double covering_radius = 0;  ///< no vertex is farther from its nearest sample, in mesh units
 };
 
 /// Voronoi (farthest-point) sampling (Eldar et al. 1997; section 4.1): each sample is the vertex

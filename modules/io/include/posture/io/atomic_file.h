@@ -7,8 +7,9 @@
 
 namespace posture {
 
-/// A file that appears whole or not at all: written beside its final place under another name and
-/// moved there by commit(). Without commit() (an exception, an early return) nothing is left.
+/// A file that appears whole or not at all: it has no name before commit(). Without commit() - an
+/// exception, an early return, a signal - nothing is left. On file systems without such files (NFS)
+/// it has a hidden name beside its place meanwhile, which a signal leaves behind.
 class AtomicFile {
  public:
   /// \throws InputError  the folder does not exist or cannot be written to.
@@ -23,8 +24,13 @@ class AtomicFile {
   void commit();
 
  private:
+  void moveIntoPlace();
+  void removeTemporary();
+  void closeUnnamed();
+
   std::filesystem::path path_;
-  std::filesystem::path temporary_;
+  std::filesystem::path temporary_;  // the name beside path_ while there is need of one
+  int unnamed_ = -1;                 // descriptor of the file without a name; -1: it has one
   std::ofstream stream_;
   bool committed_ = false;
 };

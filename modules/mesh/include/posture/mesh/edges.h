@@ -18,6 +18,10 @@ struct Edge {
 /// All edges, sorted by (first, second).
 std::vector<Edge> meshEdges(const Faces& faces);
 
+/// The face beyond each side of each face (side k joins corners k and k + 1); -1 at a boundary and
+/// where more than two faces meet.
+Faces facesAcross(const Faces& faces);
+
 double meanEdgeLength(const TriangleMesh& mesh);
 
 /// m areas, in squared mesh units.

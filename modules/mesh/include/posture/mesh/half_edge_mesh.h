@@ -69,8 +69,8 @@ class HalfEdgeMesh {
   std::vector<int> outgoing_;  // -1: no face
 };
 
-/// A mesh cut apart along edges of more than two faces or of faces that disagree in orientation, and
-/// at vertices where several fans meet.
+/// A mesh cut apart along edges of more than two faces or of faces that disagree in orientation,
+/// and at vertices where several fans meet.
 struct ManifoldMesh {
   TriangleMesh mesh;                 ///< first the vertices given, then the copies
   std::vector<int> original_vertex;  ///< vertex -> vertex of the mesh given

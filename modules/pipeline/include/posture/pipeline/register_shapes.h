@@ -13,6 +13,16 @@
 
 namespace posture {
 
+/// How the winning candidate is chosen.
+enum class Method {
+  ORIENTED,  ///< the least deformed of the candidates that do not turn the surface inside out
+  PAPER      ///< the least deformed, as published: mirrored maps of symmetric bodies often win
+};
+
+struct RegistrationOptions {
+  Method method = Method::ORIENTED;
+};
+
 enum class Status {
   REGISTERED,
   UNDECIDED  ///< the data do not decide; the message says why, and the best guess is still there
@@ -35,6 +45,7 @@ struct HypothesisSummary {
   double source_energy = 0;            ///< E(M0) of section 5.2, in squared units of the source
   double target_energy = 0;            ///< E(M1)
   double energy = 0;                   ///< E_D = max of both; infinity: no common mesh
+  double orientation = 0;              ///< vote in [-1, 1]; below 0: the surface inside out
   std::vector<int> target_vertex;      ///< per source vertex as given; -1: rejected
 };
 
@@ -65,10 +76,11 @@ struct RegistrationResult {
 };
 
 /// Finds the dense correspondence of two meshes by the method of Wuhrer, Shu and Bose 2009,
-/// sections 4 and 5.
+/// sections 4 and 5, and keeps the outside out unless asked for the published choice.
 /// \throws InputError  one of the meshes has no surface to work on; names which.
 RegistrationResult registerShapes(const TriangleMesh& source,
                                   const TriangleMesh& target,
+                                  const RegistrationOptions& options = {},
                                   const Observer& observer = {});
 
 }  // namespace posture

@@ -28,7 +28,4 @@ std::string reportJson(const RegistrationResult& result, const RunDescription& r
 /// the chosen one's. Near 1 the two can hardly be told apart; infinity or NaN: there is no other.
 double runnerUpRatio(const RegistrationResult& result);
 
-/// The largest memory this process has had, in bytes.
-long peakMemoryBytes();
-
 }  // namespace posture

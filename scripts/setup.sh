@@ -1,0 +1,69 @@
+# What demo.sh and test.sh share: the Debian packages and the build. Sourced by bash from the
+# repository's root.
+# shellcheck shell=bash
+
+# Debian 12. libpcl-dev brings VTK and Boost along; what our own CMake files ask for is named.
+packages=(
+  g++ cmake ninja-build ccache                                # build
+  libeigen3-dev libboost-dev libpcl-dev                       # modules
+  libceres-dev libspectra-dev nlohmann-json3-dev libcli11-dev
+  libvtk9-dev libx11-dev libgl1-mesa-dri xvfb                 # pictures, with or without a screen
+  libgtest-dev libgmock-dev                                   # tests
+)
+
+say() { printf '%s\n' "$*" >&2; }
+
+missing_packages() {
+  local package
+  for package in "${packages[@]}"; do
+    [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] ||
+      printf '%s\n' "$package"
+  done
+}
+
+# Asks apt only when something is missing.
+install_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    say "This is not Debian: nothing is installed; what is needed is listed in scripts/setup.sh."
+    return
+  fi
+  local missing
+  mapfile -t missing < <(missing_packages)
+  ((${#missing[@]})) || return 0
+  local as_root=()
+  if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null; then
+      say "Missing, and neither root nor sudo to install with: ${missing[*]}"
+      return 1
+    fi
+    as_root=(sudo)
+  fi
+  say "Installing ${missing[*]}"
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq
+    -o DPkg::Lock::Timeout=300)
+  "${apt[@]}" update
+  "${apt[@]}" install -y --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# As many compilers as there are processors, but no more than memory can feed (1.5 GB each).
+jobs_at_once() {
+  local processors gigabytes
+  processors=$(nproc)
+  gigabytes=$(awk '/^MemAvailable:/ {print int($2 / 1500000)}' /proc/meminfo)
+  local jobs=$((gigabytes < processors ? gigabytes : processors))
+  printf '%s\n' "$((jobs > 0 ? jobs : 1))"
+}
+
+# build [TARGET]: configures build/release when need be and builds all of it, or TARGET and what it
+# takes. Goes on where an earlier build was stopped.
+build() {
+  local generator=()
+  if [[ ! -e build/release/CMakeCache.txt ]] && command -v ninja >/dev/null; then
+    generator=(-G Ninja)
+  fi
+  cmake --preset release "${generator[@]}" >/dev/null
+  local jobs
+  jobs=$(jobs_at_once)
+  say "Building in build/release, $jobs at a time"
+  cmake --build build/release -j "$jobs" ${1:+--target "$@"}
+}
