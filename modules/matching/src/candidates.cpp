@@ -21,6 +21,7 @@ CostMatrix distances(const Points& source, const Points& target) {
 /// `source` moved by the rigid motion that lowers the sum of distances to its counterparts: weights
 /// 1 / distance make the sum of squares one of distances (Weiszfeld 1937).
 Points moveOnto(const Points& source, const Points& target, const Assignment& assignment) {
+  if (!(assignment.cost > 0)) return source;
   const int s = static_cast<int>(source.rows());
   Points to = source;
   Vector weight = Vector::Zero(s);
@@ -30,7 +31,6 @@ Points moveOnto(const Points& source, const Points& target, const Assignment& as
     to.row(i) = target.row(assignment.column_of_row[i]);
     weight[i] = 1 / std::max((to.row(i) - source.row(i)).norm(), floor);
   }
-  if (!(weight.sum() > 0)) return source;
   weight /= weight.sum();
   const Eigen::RowVector3d from_mean = weight.transpose() * source, to_mean = weight.transpose() * to;
   const Eigen::Matrix3d covariance = (source.rowwise() - from_mean).transpose() *
@@ -51,7 +51,7 @@ Candidate align(const Points& source, const Points& target, const std::array<int
   while (true) {
     const Points closer = moveOnto(moved, target, assignment);
     Assignment better = minimumCostAssignment(distances(closer, target));
-    const bool settled = better.cost > 0.99 * assignment.cost;
+    const bool settled = !(better.cost < 0.99 * assignment.cost);
     if (better.cost < assignment.cost) {
       moved = closer;
       assignment = std::move(better);

@@ -5,6 +5,8 @@
 #include <posture/deformation/follow_matches.h>
 #include <posture/mesh/edges.h>
 
+#include "verdict.h"
+
 namespace posture {
 namespace {
 
@@ -117,7 +119,7 @@ RegistrationResult assembleResult(const Side& source,
   result.correspondence =
       correspondence(best, result.hypotheses[chosen].target_vertex, source, target);
   result.deformed = deform(best, source, target, scale);
-  result.status = Status::REGISTERED;
+  giveVerdict(result);
   return result;
 }
 

@@ -33,16 +33,16 @@ struct StageTiming {
   double seconds = 0;
 };
 
-/// One of the 2^k alignments with its figures.
+/// One of the 2^k alignments with its figures; lengths in the target's unit.
 struct HypothesisSummary {
   std::array<int, 3> axis_signs{};     ///< +1 or -1 per axis of the canonical frame
-  double assignment_cost = 0;          ///< E_H of section 4.1, in units of the source
+  double assignment_cost = 0;          ///< E_H of section 4.1
   int matched_samples = 0;             ///< by the assignment
   double consistency = 0;              ///< mean of the matrix C, in [0, 1] (section 4.2)
   int kernel_samples = 0;              ///< left by the consistency kernel (section 4.2)
   int accepted_vertices = 0;           ///< of the source's main surface, with a dense match
   int common_vertices = 0;             ///< of the common meshes
-  double source_energy = 0;            ///< E(M0) of section 5.2, in squared units of the source
+  double source_energy = 0;            ///< E(M0) of section 5.2
   double target_energy = 0;            ///< E(M1)
   double energy = 0;                   ///< E_D = max of both; infinity: no common mesh
   double orientation = 0;              ///< vote in [-1, 1]; below 0: the surface inside out
