@@ -5,7 +5,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 source scripts/setup.sh
 
 install_packages
-build
+build all
 
 # Some tests read the shapes of the benchmark, which are not ours to bundle.
 if [[ -z ${POSTURE_BENCHMARK:-} && -d ../shared/benchmark ]]; then
@@ -18,4 +18,5 @@ else
   say "No benchmark shapes (POSTURE_BENCHMARK is not set): tests that need them skip, and count as passed"
 fi
 
-ctest --test-dir build/release --output-on-failure -j "$(nproc)"
+# One thread a test, as many tests as processors.
+OMP_NUM_THREADS=1 ctest --test-dir build/release --output-on-failure -j "$(nproc)"

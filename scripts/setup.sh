@@ -54,8 +54,8 @@ jobs_at_once() {
   printf '%s\n' "$((jobs > 0 ? jobs : 1))"
 }
 
-# build [TARGET]: configures build/release when need be and builds all of it, or TARGET and what it
-# takes. Goes on where an earlier build was stopped.
+# build TARGET...: configures build/release and builds the targets and what they take. Goes on where
+# an earlier build was stopped.
 build() {
   local generator=()
   if [[ ! -e build/release/CMakeCache.txt ]] && command -v ninja >/dev/null; then
@@ -65,5 +65,5 @@ build() {
   local jobs
   jobs=$(jobs_at_once)
   say "Building in build/release, $jobs at a time"
-  cmake --build build/release -j "$jobs" ${1:+--target "$@"}
+  cmake --build build/release -j "$jobs" --target "$@"
 }
