@@ -15,6 +15,8 @@ void makeFolder(const std::filesystem::path& folder) {
   if (error) throw InputError(folder.string() + ": cannot be made (" + error.message() + ")");
 }
 
+void checkWritable(const std::filesystem::path& path) { const AtomicFile probe(path); }
+
 void writeText(const std::filesystem::path& path, const std::string& text) {
   AtomicFile file(path);
   file.stream() << text;

@@ -10,6 +10,9 @@ namespace posture::app {
 /// Makes the folder with its parents. \throws InputError  it cannot be made.
 void makeFolder(const std::filesystem::path& folder);
 
+/// \throws InputError  the file could not be written.
+void checkWritable(const std::filesystem::path& path);
+
 /// Writes a whole text file or none.
 void writeText(const std::filesystem::path& path, const std::string& text);
 

@@ -7,24 +7,24 @@
 #include "verbs.h"
 #include <cstdio>
 #include <exception>
+#include <glog/logging.h>
 #include <new>
 #include <omp.h>
 
 namespace {
 
 /// One line on stderr, whatever line breaks the message has.
-int fail(const char* message, int exit_code) {
-  std::string line = message;
-  for (char& c : line)
-    if (c == '\n' || c == '\r') c = ' ';
-  std::fprintf(stderr, "posture: %s\n", line.c_str());
+int fail(const char* message, int exit_code) noexcept {
+  std::fputs("posture: ", stderr);
+  for (const char* c = message; *c != '\0'; ++c)
+    std::fputc(*c == '\n' || *c == '\r' ? ' ' : *c, stderr);
+  std::fputc('\n', stderr);
   return exit_code;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   using namespace posture::app;
+  FLAGS_minloglevel = google::GLOG_FATAL;  // what Ceres thinks of a line search is not for the user
   CLI::App app{
       "Registration of bodies that bend: for every point of one shape, where it is on the other."};
   app.name("posture");
@@ -53,6 +53,15 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return fail((std::string(error.what()) + " (see posture --help)").c_str(), EXIT_USAGE);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using posture::app::EXIT_INPUT;
+  try {
+    return run(argc, argv);
   } catch (const posture::InputError& error) {
     return fail(error.what(), EXIT_INPUT);
   } catch (const std::bad_alloc&) {

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
-#include <posture/io/atomic_file.h>
 #include <posture/io/correspondence_io.h>
 #include <posture/io/mesh_io.h>
 #include <posture/pipeline/register_shapes.h>
@@ -86,7 +85,7 @@ void registerVerb(const RegisterOptions& options, Common& common) {
   const TriangleMesh source = readMesh(options.source).mesh;
   const TriangleMesh target = readMesh(options.target).mesh;
   makeFolder(options.folder);
-  AtomicFile(options.folder / "report.json");  // says now that it cannot be written, not at the end
+  checkWritable(options.folder / "report.json");  // now, not after minutes
   std::optional<StageDump> dump;
   if (!options.dump.empty()) dump.emplace(options.dump);
   const RegistrationResult result =
@@ -120,7 +119,9 @@ void addRegister(CLI::App& app, Common& common) {
   verb->add_option("-o,--output", options->folder, "Folder for the results")->required();
   verb->add_flag(
       "--paper",
-      "The method of Wuhrer, Shu and Bose 2009 as published (the default: the only one)");
+      options->paper,
+      "Choose as Wuhrer, Shu and Bose published it in 2009: by deformation alone, so that "
+      "a body with two like sides often comes out mirrored");
   verb->add_option("--dump", options->dump, "Folder for every stage's result as PLY files");
   verb->callback([options, &common] { registerVerb(*options, common); });
 }

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/program.h"
 
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -47,8 +44,8 @@ pid_t start(const std::string& program,
 
 ProgramRun finish(int status, const TemporaryFolder& folder) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-          contentOf(folder / "out"),
-          contentOf(folder / "err")};
+          bytesOf(folder / "out"),
+          bytesOf(folder / "err")};
 }
 
 }  // namespace
@@ -81,33 +78,8 @@ ProgramRun runInterrupted(const std::filesystem::path& program,
   return finish(status, folder);
 }
 
-std::string contentOf(const std::filesystem::path& file) {
-  std::ostringstream content;
-  content << std::ifstream(file, std::ios::binary).rdbuf();
-  return content.str();
-}
-
 bool saidWhyInOneLine(const ProgramRun& ended) {
   return ended.out.empty() && ended.err.size() > 1 && ended.err.find('\n') == ended.err.size() - 1;
-}
-
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "posture-test-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder " + name);
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::vector<std::string> TemporaryFolder::names() const {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(path_))
-    names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return names;
 }
 
 }  // namespace posture::test

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "support/files.h"
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -27,25 +28,7 @@ ProgramRun runInterrupted(const std::filesystem::path& program,
                           int signal,
                           const std::function<bool()>& when);
 
-std::string contentOf(const std::filesystem::path& file);
-
 /// That a failed program said why in one line on stderr and nothing on stdout.
 bool saidWhyInOneLine(const ProgramRun& ended);
-
-/// A folder of its own that ends with this object.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  /// Names of what is in it, sorted.
-  std::vector<std::string> names() const;
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace posture::test

@@ -55,7 +55,7 @@ class Benchmark : public testing::Test {
   }
 
   json result(const std::string& id) const {
-    return json::parse(test::contentOf(out_ / "pairs" / (id + ".json")));
+    return json::parse(test::bytesOf(out_ / "pairs" / (id + ".json")));
   }
 
   fs::file_time_type written(const std::string& id) const {
@@ -87,16 +87,16 @@ TEST_F(Benchmark, OneBadPairDoesNotEndTheList) {
   EXPECT_EQ(result("points")["status"], "not run");
   EXPECT_THAT(result("points")["message"], HasSubstr("unsupported: points only"));
 
-  const auto rows = parseCsv(test::contentOf(out_ / "results.csv"));
+  const auto rows = parseCsv(test::bytesOf(out_ / "results.csv"));
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[1][0], "good");
   EXPECT_EQ(rows[3].size(), rows[0].size());
-  const std::string page = test::contentOf(out_ / "RESULTS.md");
+  const std::string page = test::bytesOf(out_ / "RESULTS.md");
   for (const char* part : {"| strip ", "| scans ", "## The paper's own figures", "| points "})
     EXPECT_THAT(page, HasSubstr(part));
-  EXPECT_EQ(json::parse(test::contentOf(out_ / "results.json"))["pairs"].size(), 3u);
-  EXPECT_THAT(test::contentOf(out_ / "curves.svg"), HasSubstr("<svg"));
-  EXPECT_THAT(test::contentOf(out_ / "histogram.svg"), HasSubstr("<svg"));
+  EXPECT_EQ(json::parse(test::bytesOf(out_ / "results.json"))["pairs"].size(), 3u);
+  EXPECT_THAT(test::bytesOf(out_ / "curves.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(test::bytesOf(out_ / "histogram.svg"), HasSubstr("<svg"));
   for (const auto& entry : fs::directory_iterator(out_ / "pairs"))
     EXPECT_EQ(entry.path().extension(), ".json");  // no logs, no half-written files
 }
@@ -116,7 +116,7 @@ TEST_F(Benchmark, ResumesWhereItStopped) {
   EXPECT_EQ(benchmark({"--fresh", "--family", "scans"}).exit_code, 0);
   EXPECT_EQ(written("good"), good);
   EXPECT_NE(written("points"), points);
-  EXPECT_EQ(parseCsv(test::contentOf(out_ / "results.csv")).size(), 4u);
+  EXPECT_EQ(parseCsv(test::bytesOf(out_ / "results.csv")).size(), 4u);
 }
 
 TEST_F(Benchmark, RunsAgainWhatIsDamagedOrOfOtherInputs) {

@@ -87,7 +87,7 @@ TEST_F(Evaluate, WritesFiles) {
   const auto end = evaluate("shifted.csv", {"--truth", "identity", "-o", folder_ / "out/new"});
   ASSERT_EQ(end.exit_code, 0) << end.err;
   const auto text = [&](const std::string& name) {
-    return test::contentOf(folder_ / ("out/new/" + name));
+    return test::bytesOf(folder_ / ("out/new/" + name));
   };
   EXPECT_TRUE(json::parse(text("evaluation.json")).contains("curve"));
   EXPECT_THAT(text("curve.csv"), testing::StartsWith("error,share_below\n0.0000,"));

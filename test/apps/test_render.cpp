@@ -56,7 +56,7 @@ class Render : public ::testing::Test {
     return covered;
   }
 
-  std::string picture() const { return test::contentOf(folder_ / "picture.png"); }
+  std::string picture() const { return test::bytesOf(folder_ / "picture.png"); }
 
   test::TemporaryFolder folder_;
   int width_ = 0, height_ = 0;

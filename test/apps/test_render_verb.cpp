@@ -21,7 +21,7 @@ TEST(RenderVerb, handsEverythingOn) {
       {"--json", "render", folder / "ball.ply", "-o", folder / "a.png", "--size", "64x64"});
   EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
   EXPECT_EQ(drawn.out.front(), '{');
-  EXPECT_EQ(test::contentOf(folder / "a.png").substr(1, 3), "PNG");
+  EXPECT_EQ(test::bytesOf(folder / "a.png").substr(1, 3), "PNG");
 
   const auto help = test::run(POSTURE, {"render", "--help"});
   EXPECT_EQ(help.exit_code, 0);

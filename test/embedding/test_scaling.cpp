@@ -72,6 +72,15 @@ TEST(LeastSquaresScaling, neverEndsWorseThanItBegan) {
             normalizedStress(distances, ones(count), start));
 }
 
+TEST(LeastSquaresScaling, doesNotDependOnTheUnit) {
+  const int count = 60;
+  const Matrix distances = circleDistances(count);
+  const Points start = classicalScaling(distances);
+  const Points found = leastSquaresScaling(distances, ones(count), start);
+  for (const double unit : {0x1p-40, 0x1p+40})
+    EXPECT_EQ(leastSquaresScaling(unit * distances, ones(count), unit * start) / unit, found);
+}
+
 TEST(LeastSquaresScaling, believesTheWeights) {
   // One distance is wrong by a factor of three: without weight it does no harm.
   const Points truth = randomPoints(30, 7);

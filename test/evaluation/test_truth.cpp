@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/files.h"
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -15,22 +16,13 @@ namespace {
 
 using testing::HasSubstr;
 
-template <class Action>
-std::string errorOf(Action action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST(Truth, Identity) {
   const auto pairs = readTruth("identity", 3, 3);
   ASSERT_EQ(pairs.size(), 3u);
   EXPECT_EQ(pairs[2].source, 2);
   EXPECT_EQ(pairs[2].target, 2);
-  EXPECT_THAT(errorOf([] { readTruth("identity", 3, 4); }), HasSubstr("3 source vertices"));
+  EXPECT_THAT(test::inputErrorOf([] { readTruth("identity", 3, 4); }),
+              HasSubstr("3 source vertices"));
 }
 
 TEST(Truth, FileWithinRange) {
@@ -38,20 +30,20 @@ TEST(Truth, FileWithinRange) {
       std::filesystem::path(testing::TempDir()) / "posture-truth.txt";
   std::ofstream(file) << "0 5\n2 1\n";
   EXPECT_EQ(readTruth(file, 3, 6).size(), 2u);
-  EXPECT_THAT(errorOf([&] { readTruth(file, 2, 6); }), HasSubstr("source vertex 2"));
-  EXPECT_THAT(errorOf([&] { readTruth(file, 3, 5); }), HasSubstr("target vertex 5"));
+  EXPECT_THAT(test::inputErrorOf([&] { readTruth(file, 2, 6); }), HasSubstr("source vertex 2"));
+  EXPECT_THAT(test::inputErrorOf([&] { readTruth(file, 3, 5); }), HasSubstr("target vertex 5"));
   std::ofstream(file) << "# nothing\n";
-  EXPECT_THAT(errorOf([&] { readTruth(file, 3, 6); }), HasSubstr("posture-truth.txt"));
+  EXPECT_THAT(test::inputErrorOf([&] { readTruth(file, 3, 6); }), HasSubstr("posture-truth.txt"));
   std::filesystem::remove(file);
   EXPECT_THROW(readTruth(file, 3, 6), InputError);
 }
 
 TEST(Truth, PlacesMustBeOnTheTarget) {
   const auto check = [](const SurfacePoint& place) {
-    return errorOf([&] { checkOnTarget("map.csv", {SurfacePoint{}, place}, 10, 4); });
+    return test::inputErrorOf([&] { checkOnTarget("map.csv", {SurfacePoint{}, place}, 10, 4); });
   };
-  EXPECT_EQ(check({9, 3, {0.5, 0.25, 0.25}}), "no error");
-  EXPECT_EQ(check({9, -1, {0, 0, 0}}), "no error");
+  EXPECT_EQ(check({9, 3, {0.5, 0.25, 0.25}}), "");
+  EXPECT_EQ(check({9, -1, {0, 0, 0}}), "");
   EXPECT_THAT(check({10, -1, {0, 0, 0}}), HasSubstr("map.csv: row 1: target vertex 10"));
   EXPECT_THAT(check({9, 4, {1, 0, 0}}), HasSubstr("face 4"));
   EXPECT_THAT(check({9, 3, {2, -1, 0}}), HasSubstr("barycentric"));

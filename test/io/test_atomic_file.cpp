@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/files.h"
+#include "support/files.h"
 #include <csignal>
 #include <sys/resource.h>
 
@@ -26,14 +26,14 @@ TEST(AtomicFile, appearsOnCommitAndLeavesNothingElse) {
   EXPECT_FALSE(fs::exists(path));
   file.commit();
   EXPECT_EQ(bytesOf(path), "text");
-  EXPECT_EQ(folder.entryCount(), 1);
+  EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST(AtomicFile, cannotBeSeenBeforeCommit) {
   const TemporaryFolder folder;
   AtomicFile file(folder.path() / "out.txt");
   file.stream() << "text" << std::flush;
-  EXPECT_EQ(folder.entryCount(), 0);
+  EXPECT_EQ(folder.names().size(), 0u);
 }
 
 TEST(AtomicFile, replacesAnotherFile) {
@@ -43,7 +43,7 @@ TEST(AtomicFile, replacesAnotherFile) {
   file.stream() << "new";
   file.commit();
   EXPECT_EQ(bytesOf(path), "new");
-  EXPECT_EQ(folder.entryCount(), 1);
+  EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST(AtomicFile, aSignalLeavesNothing) {
@@ -57,7 +57,7 @@ TEST(AtomicFile, aSignalLeavesNothing) {
     };
     EXPECT_EXIT(interrupted(), testing::KilledBySignal(signal), "");
     EXPECT_EQ(bytesOf(path), "old");
-    EXPECT_EQ(folder.entryCount(), 1);
+    EXPECT_EQ(folder.names().size(), 1u);
   }
 }
 
@@ -66,7 +66,7 @@ TEST(AtomicFile, withoutCommitTheOldFileStays) {
   const fs::path path = folder.file("out.txt", "old");
   { AtomicFile(path).stream() << "new"; }
   EXPECT_EQ(bytesOf(path), "old");
-  EXPECT_EQ(folder.entryCount(), 1);
+  EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST(AtomicFile, twoAtOnceDoNotMeet) {
@@ -125,7 +125,7 @@ TEST(AtomicFile, aFullDiskFailsAndLeavesNothing) {
   setrlimit(RLIMIT_FSIZE, &old);
   std::signal(SIGXFSZ, old_handler);
   EXPECT_THAT(message, HasSubstr("out.txt: cannot be written: "));
-  EXPECT_EQ(folder.entryCount(), 0);
+  EXPECT_EQ(folder.names().size(), 0u);
 }
 
 }  // namespace

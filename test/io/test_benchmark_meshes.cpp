@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/files.h"
+#include "support/files.h"
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/files.h"
+#include "support/files.h"
 
 namespace posture {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "io/encode.h"
-#include "io/files.h"
+#include "support/files.h"
 #include "support/shapes.h"
 #include <string>
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "io/encode.h"
-#include "io/files.h"
+#include "support/files.h"
 #include "support/shapes.h"
 #include <clocale>
 #include <limits>
@@ -92,7 +92,7 @@ TEST_P(WriteMesh, losesNothing) {
   EXPECT_EQ(file.mesh.vertices, mesh.vertices);
   EXPECT_EQ(file.mesh.faces, mesh.faces);
   EXPECT_EQ(file.colors, colors);
-  EXPECT_EQ(folder.entryCount(), 1);
+  EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST_P(WriteMesh, pointsWithoutFaces) {
@@ -132,7 +132,7 @@ TEST(WriteMesh, callersMistakesAreInvalidArguments) {
   EXPECT_THROW(writeMesh(folder.path() / "mesh.ply", mesh, someColors(3)), std::invalid_argument);
   EXPECT_THAT(inputErrorOf([&] { writeMesh(folder.path() / "no" / "mesh.ply", mesh); }),
               HasSubstr("cannot be written"));
-  EXPECT_EQ(folder.entryCount(), 0);
+  EXPECT_EQ(folder.names().size(), 0u);
 }
 
 TEST(ReadMesh, doesNotDependOnTheLocale) {

@@ -150,6 +150,15 @@ TEST(CleanMesh, refusesMeshesWithoutSurface) {
   TriangleMesh collapsed = test::sphere(0);
   collapsed.vertices.setZero();
   EXPECT_THROW(cleanMesh(collapsed), InputError);
+  for (const double unit : {1e-20, 1.0, 1e20}) {
+    TriangleMesh line = test::grid(9, 4, 1, 1);
+    const Eigen::RowVector3d along(0.3, 0.7, -0.2);
+    for (int v = 0; v < line.vertices.rows(); ++v) line.vertices.row(v) = 0.1 * v * unit * along;
+    EXPECT_THROW(cleanMesh(line), InputError) << unit;
+    TriangleMesh strip = test::grid(9, 1, 1, 1e-3);
+    strip.vertices *= unit;
+    EXPECT_NO_THROW(cleanMesh(strip)) << unit;
+  }
 }
 
 }  // namespace

@@ -35,6 +35,19 @@ TEST(PointIndex, isAsGoodFarFromTheOrigin) {
   for (int i = 0; i < points.rows(); ++i) EXPECT_EQ(index.nearest(points.row(i)).index, i);
 }
 
+TEST(PointIndex, takesAnyUnit) {
+  Rng rng(3);
+  const Points points = randomPoints(500, rng);
+  for (const double unit : {1e-30, 1e30}) {
+    const PointIndex index(unit * points);
+    for (int i = 0; i < points.rows(); ++i) {
+      const auto found = index.nearest(unit * points.row(i));
+      EXPECT_EQ(found.index, i);
+      EXPECT_LT(found.distance, 1e-6 * unit);
+    }
+  }
+}
+
 TEST(PointIndex, refusesNoPoints) { EXPECT_THROW(PointIndex(Points(0, 3)), std::invalid_argument); }
 
 }  // namespace

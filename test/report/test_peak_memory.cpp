@@ -9,17 +9,13 @@
 namespace posture {
 namespace {
 
-TEST(PeakMemory, growsAndDoesNotFall) {
+TEST(PeakMemory, remembersWhatIsFreedAgain) {
   const double before = peakMemoryMib();
   EXPECT_GT(before, 1);
-  double during = 0;
-  {
-    const std::vector<char> block(std::size_t{64} << 20, 1);
-    during = peakMemoryMib() + 0.0 * block.back();
-  }
-  EXPECT_GE(during, before + 60);
-  EXPECT_LT(during, before + 80);
-  EXPECT_GE(peakMemoryMib(), during);
+  { const std::vector<char> block(std::size_t{64} << 20, 1); }
+  // The system counts in steps of some pages.
+  EXPECT_GT(peakMemoryMib(), before + 60);
+  EXPECT_LT(peakMemoryMib(), before + 80);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(SynthesizeVerb, WritesShapesTruthAndTheListOfPairs) {
   ASSERT_EQ(static_cast<Eigen::Index>(truth.size()), source.vertices.rows());
   for (const VertexPair& pair : truth) ASSERT_EQ(pair.source, pair.target);
   EXPECT_GT(readVertexPairs(out + "/human-pose0-pose3-mirror.txt").size(), 1400u);
-  EXPECT_EQ(contentOf(out + "/pairs.csv"),
+  EXPECT_EQ(bytesOf(out + "/pairs.csv"),
             "id,family,kind,source,target,truth,mirror_truth,note\n"
             "human-pose0-pose3,human,isometric,human-pose0.ply,human-pose3.ply,"
             "human-pose0-pose3.txt,human-pose0-pose3-mirror.txt,"
@@ -74,8 +74,8 @@ TEST(SynthesizeVerb, MeshesAnewAndCutsHolesWhereAsked) {
   EXPECT_THAT(ended.out, HasSubstr("\"true_pairs\""));
   for (const char* name : {"/quadruped-pose0.ply", "/quadruped-pose2.ply"})
     EXPECT_EQ(topologyOf(readMesh(out + name).mesh).rims, 3) << name;
-  EXPECT_THAT(contentOf(out + "/pairs.csv"), HasSubstr(",noise,"));
-  EXPECT_THAT(contentOf(out + "/pairs.csv"), HasSubstr("tessellations 0 and 1"));
+  EXPECT_THAT(bytesOf(out + "/pairs.csv"), HasSubstr(",noise,"));
+  EXPECT_THAT(bytesOf(out + "/pairs.csv"), HasSubstr("tessellations 0 and 1"));
 }
 
 TEST(SynthesizeVerb, WritesTheSameBytesForTheSameSeed) {
@@ -83,7 +83,7 @@ TEST(SynthesizeVerb, WritesTheSameBytesForTheSameSeed) {
   const auto made = [&](const std::string& name, const std::string& seed) {
     synthesize(
         {"-o", folder / name, "--pose", "4", "--vertices", "1000", "--holes", "2", "--seed", seed});
-    return contentOf((folder / name) + "/quadruped-pose4.ply");
+    return bytesOf((folder / name) + "/quadruped-pose4.ply");
   };
   const std::string first = made("a", "7");
   EXPECT_GT(first.size(), 1000u);

@@ -14,7 +14,8 @@ namespace {
 /// depend on how rows are shared among threads.
 class Stress : public ceres::FirstOrderFunction {
  public:
-  Stress(const Matrix& distances, const Table& weights) : distances_(distances), weights_(weights) {}
+  Stress(const Matrix& distances, const Table& weights)
+      : distances_(distances), weights_(weights) {}
 
   int NumParameters() const override { return 3 * static_cast<int>(distances_.rows()); }
 
@@ -38,11 +39,7 @@ class Stress : public ceres::FirstOrderFunction {
         gz += pull * dz;
       }
       row_cost[i] = sum;
-      if (gradient != nullptr) {
-        gradient[3 * i] = 2 * gx;
-        gradient[3 * i + 1] = 2 * gy;
-        gradient[3 * i + 2] = 2 * gz;
-      }
+      if (gradient != nullptr) Eigen::Map<Points>(gradient, s, 3).row(i) << 2 * gx, 2 * gy, 2 * gz;
     }
     *cost = 0.5 * row_cost.sum();
     return true;
@@ -59,8 +56,13 @@ Points leastSquaresScaling(const Matrix& distances, const Table& weights, const 
   const Eigen::Index s = distances.rows();
   require(distances.cols() == s && weights.rows() == s && weights.cols() == s && start.rows() == s,
           "leastSquaresScaling: sizes do not agree");
-  Points points = start;
-  const ceres::GradientProblem problem(new Stress(distances, weights));
+  // In units of about the mean distance, as some of Ceres' tolerances are absolute. A power of two
+  // changes no digit.
+  const double mean = distances.mean();
+  const double unit = mean > 0 ? std::exp2(std::round(std::log2(mean))) : 1;
+  const Matrix relative_distances = distances / unit;
+  Points points = start / unit;
+  const ceres::GradientProblem problem(new Stress(relative_distances, weights));
   ceres::GradientProblemSolver::Options options;
   options.line_search_direction_type = ceres::LBFGS;
   options.max_num_iterations = 3000;
@@ -68,7 +70,7 @@ Points leastSquaresScaling(const Matrix& distances, const Table& weights, const 
   options.logging_type = ceres::SILENT;
   ceres::GradientProblemSolver::Summary summary;
   ceres::Solve(options, problem, points.data(), &summary);
-  return points;
+  return points * unit;
 }
 
 double normalizedStress(const Matrix& distances, const Table& weights, const Points& points) {

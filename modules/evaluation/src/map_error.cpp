@@ -138,6 +138,7 @@ std::vector<CandidateError> candidateErrors(const TargetMetric& target,
   std::vector<std::vector<double>> errors(target_vertex.size());
   for (std::size_t r = 0; r < routes.size(); ++r) errors[candidate_of[r]].push_back(lengths[r]);
   std::vector<CandidateError> result;
+  result.reserve(errors.size());
   for (const auto& of_candidate : errors)
     result.push_back({mean(of_candidate),
                       looked_at.empty() ? 0.0

@@ -25,6 +25,25 @@ struct Wedge {
   float side;  ///< from the vertex to `target`
 };
 
+/// How the front comes to a wedge's target.
+struct Arrival {
+  double distance;
+  bool through_other;  ///< it crosses the base nearer to `other`
+};
+
+/// From both vertices of the base, reached at distances da and db.
+Arrival arrival(const Wedge& w, double da, double db) {
+  const Arrival along_side{da + w.side, false};
+  // The virtual source at (sx, -depth): at distance da from 0 and db from (base, 0).
+  const double sx = (da * da - db * db + double{w.base} * w.base) / (2 * double{w.base});
+  const double depth_sq = da * da - sx * sx;
+  if (!(depth_sq >= 0)) return along_side;
+  const double depth = std::sqrt(depth_sq), rise = w.y + depth;
+  const double crossing = sx + (w.x - sx) * depth / rise;
+  if (!(crossing >= 0 && crossing <= w.base)) return along_side;
+  return {std::sqrt((w.x - sx) * (w.x - sx) + rise * rise), crossing > w.base / 2};
+}
+
 struct QueueEntry {
   double distance;
   int vertex;
@@ -80,26 +99,12 @@ void FastMarching::Graph::propagate(int v,
   for (int i = first_wedge[v]; i < first_wedge[v + 1]; ++i) {
     const Wedge& w = wedges[i];
     if (done[w.target]) continue;
-    double distance = da + w.side;
-    int through = v;
-    if (done[w.other]) {
-      // The virtual source at (sx, -depth): at distance da from 0 and db from (base, 0).
-      const double db = field.distance[w.other];
-      const double sx = (da * da - db * db + double{w.base} * w.base) / (2 * double{w.base});
-      const double depth_sq = da * da - sx * sx;
-      if (depth_sq >= 0) {
-        const double depth = std::sqrt(depth_sq), rise = w.y + depth;
-        const double crossing = sx + (w.x - sx) * depth / rise;
-        if (crossing >= 0 && crossing <= w.base) {
-          distance = std::sqrt((w.x - sx) * (w.x - sx) + rise * rise);
-          if (crossing > w.base / 2) through = w.other;
-        }
-      }
-    }
-    if (distance < field.distance[w.target]) {
-      field.distance[w.target] = distance;
-      field.predecessor[w.target] = through;
-      front.push(distance, w.target);
+    const Arrival reached =
+        done[w.other] ? arrival(w, da, field.distance[w.other]) : Arrival{da + w.side, false};
+    if (reached.distance < field.distance[w.target]) {
+      field.distance[w.target] = reached.distance;
+      field.predecessor[w.target] = reached.through_other ? w.other : v;
+      front.push(reached.distance, w.target);
     }
   }
 }

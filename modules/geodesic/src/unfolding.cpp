@@ -36,61 +36,66 @@ class Unfolder {
     out.push_back({apex, left, right, base, p.x(), y});
     const Vector2d to_left = -p, to_right = Vector2d(base, 0) - p;
     if (to_left.dot(to_right) < 0 && p.y() > 1e-6 * base)
-      split(face, (corner + 1) % 3, {apex, left, right}, p, base, out);
+      split(face,
+            (corner + 1) % 3,
+            {{apex, p}, {left, Vector2d(0, 0)}, {right, Vector2d(base, 0)}},
+            out);
   }
 
  private:
+  /// A vertex and where it has come to lie.
+  struct Spot {
+    int vertex;
+    Vector2d place;
+  };
+
+  struct Corner {
+    Spot apex, left, right;
+  };
+
   double length(int a, int b) const {
     return (mesh_.vertices.row(a) - mesh_.vertices.row(b)).norm();
   }
 
-  struct Corner {
-    int apex, left, right;
-  };
-
   /// Walks down the strip of faces below the apex until a vertex splits the corner.
-  void split(int face,
-             int side,
-             Corner c,
-             const Vector2d& p,
-             double base,
-             std::vector<UnfoldedTriangle>& out) const {
-    const Vector2d far_left(0, 0), far_right(base, 0);
-    Vector2d a = far_left, b = far_right;  // the edge the strip has come to
-    int va = c.left, vb = c.right;
+  void split(int face, int side, const Corner& c, std::vector<UnfoldedTriangle>& out) const {
+    Spot a = c.left, b = c.right;  // the edge the strip has come to
     // The strip is as long as the corner is flat; beyond this many faces it is a sliver.
     constexpr int MAX_FACES = 16;
     for (int step = 0; step < MAX_FACES; ++step) {
-      const int beyond = across_(face, side);
+      face = across_(face, side);
+      if (face < 0) return;
+      const int beyond = thirdCorner(face, a.vertex, b.vertex);
       if (beyond < 0) return;
-      int k = 0;
-      while (mesh_.faces(beyond, k) == va || mesh_.faces(beyond, k) == vb) ++k;
-      if (k > 2) return;
-      const int vd = mesh_.faces(beyond, k);
-      // Below the edge a b, seen from the apex.
-      const double edge = (b - a).norm();
-      const Vector2d local = apexAbove(edge, length(va, vd), length(vb, vd));
-      const Vector2d along = (b - a) / edge, down(along.y(), -along.x());
-      const Vector2d d = a + local.x() * along + local.y() * down;
-      const Vector2d line = d - p;
-      const bool left_acute = line.dot(far_left - p) > 0, right_acute = line.dot(far_right - p) > 0;
+      const Spot d{beyond, below(a, b, beyond)};
+      const Vector2d line = d.place - c.apex.place;
+      const bool left_acute = line.dot(c.left.place - c.apex.place) > 0;
+      const bool right_acute = line.dot(c.right.place - c.apex.place) > 0;
       if (left_acute && right_acute) {
-        addTriangle(c.apex, c.left, vd, p, far_left, d, out);
-        addTriangle(c.apex, vd, c.right, p, d, far_right, out);
+        addTriangle({c.apex, c.left, d}, out);
+        addTriangle({c.apex, d, c.right}, out);
         return;
       }
       // Left or right of the section that both allow: on through the edge it leaves by.
-      face = beyond;
-      if (left_acute) {
-        a = d;
-        va = vd;
-      } else {
-        b = d;
-        vb = vd;
-      }
-      side = sideBetween(face, va, vb);
+      (left_acute ? a : b) = d;
+      side = sideBetween(face, a.vertex, b.vertex);
       if (side < 0) return;
     }
+  }
+
+  /// The corner of a face that is neither of two others; -1 where it has none.
+  int thirdCorner(int face, int a, int b) const {
+    for (int k = 0; k < 3; ++k)
+      if (mesh_.faces(face, k) != a && mesh_.faces(face, k) != b) return mesh_.faces(face, k);
+    return -1;
+  }
+
+  /// Lays a vertex below the edge from a to b, seen from the apex.
+  Vector2d below(const Spot& a, const Spot& b, int vertex) const {
+    const double edge = (b.place - a.place).norm();
+    const Vector2d local = apexAbove(edge, length(a.vertex, vertex), length(b.vertex, vertex));
+    const Vector2d along = (b.place - a.place) / edge, down(along.y(), -along.x());
+    return a.place + local.x() * along + local.y() * down;
   }
 
   int sideBetween(int face, int a, int b) const {
@@ -101,18 +106,14 @@ class Unfolder {
     return -1;
   }
 
-  static void addTriangle(int apex,
-                          int left,
-                          int right,
-                          const Vector2d& p,
-                          const Vector2d& l,
-                          const Vector2d& r,
-                          std::vector<UnfoldedTriangle>& out) {
-    const double base = (r - l).norm();
+  static void addTriangle(const Corner& c, std::vector<UnfoldedTriangle>& out) {
+    const Vector2d to_right = c.right.place - c.left.place, to_apex = c.apex.place - c.left.place;
+    const double base = to_right.norm();
     if (!(base > 0)) return;
-    const Vector2d along = (r - l) / base, up(-along.y(), along.x());
-    const double y = up.dot(p - l);
-    if (y > 1e-9 * base) out.push_back({apex, left, right, base, along.dot(p - l), y});
+    const Vector2d along = to_right / base, up(-along.y(), along.x());
+    const double y = up.dot(to_apex);
+    if (y > 1e-9 * base)
+      out.push_back({c.apex.vertex, c.left.vertex, c.right.vertex, base, along.dot(to_apex), y});
   }
 
   const TriangleMesh& mesh_;

@@ -105,39 +105,64 @@ double signedVolume(const TriangleMesh& mesh, const std::vector<int>& patch) {
 
 /// Turns the faces of each patch alike: outwards where the patch is closed, otherwise the way most
 /// of its area already faces.
-int orient(TriangleMesh& mesh) {
-  const Faces given = mesh.faces;
-  const Faces across = facesAcross(given);
-  const Vector areas = faceAreas(mesh);
-  std::vector<char> visited(given.rows(), 0);
-  for (int seed = 0; seed < given.rows(); ++seed) {
-    if (visited[seed]) continue;
-    visited[seed] = 1;
-    std::vector<int> patch{seed};
+class Orienter {
+ public:
+  explicit Orienter(TriangleMesh& mesh)
+      : mesh_(mesh),
+        given_(mesh.faces),
+        across_(facesAcross(mesh.faces)),
+        areas_(faceAreas(mesh)),
+        visited_(mesh.faces.rows(), 0) {}
+
+  /// Returns the number of faces turned round.
+  int run() {
+    for (int seed = 0; seed < given_.rows(); ++seed) {
+      if (visited_[seed]) continue;
+      const Patch patch = grow(seed);
+      if (patch.closed ? signedVolume(mesh_, patch.faces) < 0 : patch.agreeing < 0)
+        for (int f : patch.faces) flip(f);
+    }
+    int flipped = 0;
+    for (int f = 0; f < given_.rows(); ++f) flipped += mesh_.faces.row(f) != given_.row(f);
+    return flipped;
+  }
+
+ private:
+  struct Patch {
+    std::vector<int> faces;
     bool closed = true;
-    double agreeing = 0;
-    for (std::size_t next = 0; next < patch.size(); ++next) {
-      const int f = patch[next];
-      agreeing += mesh.faces.row(f) == given.row(f) ? areas[f] : -areas[f];
+    double agreeing = 0;  ///< area that faces as it was given less area that does not
+  };
+
+  /// Turns all that can be reached from a face the way that face is.
+  Patch grow(int seed) {
+    visited_[seed] = 1;
+    Patch patch;
+    patch.faces.push_back(seed);
+    for (std::size_t next = 0; next < patch.faces.size(); ++next) {
+      const int f = patch.faces[next];
+      patch.agreeing += mesh_.faces.row(f) == given_.row(f) ? areas_[f] : -areas_[f];
       for (int k = 0; k < 3; ++k) {
-        const int g = across(f, k);
-        closed = closed && g >= 0;
-        if (g < 0 || visited[g]) continue;
-        visited[g] = 1;
-        const int a = given(f, k), b = given(f, (k + 1) % 3);
-        const bool f_runs_ab = hasDirectedEdge(mesh.faces, f, a, b);
-        if (hasDirectedEdge(mesh.faces, g, a, b) == f_runs_ab)
-          std::swap(mesh.faces(g, 1), mesh.faces(g, 2));
-        patch.push_back(g);
+        const int g = across_(f, k);
+        patch.closed = patch.closed && g >= 0;
+        if (g < 0 || visited_[g]) continue;
+        visited_[g] = 1;
+        const int a = given_(f, k), b = given_(f, (k + 1) % 3);
+        const bool f_runs_ab = hasDirectedEdge(mesh_.faces, f, a, b);
+        if (hasDirectedEdge(mesh_.faces, g, a, b) == f_runs_ab) flip(g);
+        patch.faces.push_back(g);
       }
     }
-    if (closed ? signedVolume(mesh, patch) < 0 : agreeing < 0)
-      for (int f : patch) std::swap(mesh.faces(f, 1), mesh.faces(f, 2));
+    return patch;
   }
-  int flipped = 0;
-  for (int f = 0; f < given.rows(); ++f) flipped += mesh.faces.row(f) != given.row(f);
-  return flipped;
-}
+
+  void flip(int face) { std::swap(mesh_.faces(face, 1), mesh_.faces(face, 2)); }
+
+  TriangleMesh& mesh_;
+  const Faces given_, across_;
+  const Vector areas_;
+  std::vector<char> visited_;
+};
 
 /// Input vertices that are no corner of the main surface follow the clean vertex nearest to them.
 void attachLooseVertices(const Points& vertices, CleanMesh& clean) {
@@ -199,7 +224,7 @@ CleanMesh cleanMesh(const TriangleMesh& input) {
   clean.mesh.vertices.resize(clean.input_vertex.size(), 3);
   for (std::size_t v = 0; v < clean.input_vertex.size(); ++v)
     clean.mesh.vertices.row(v) = input.vertices.row(clean.input_vertex[v]);
-  summary.flipped_faces = orient(clean.mesh);
+  summary.flipped_faces = Orienter(clean.mesh).run();
   for (const Edge& e : meshEdges(clean.mesh.faces)) summary.non_manifold_edges += e.faces > 2;
   attachLooseVertices(input.vertices, clean);
   return clean;

@@ -13,10 +13,11 @@ namespace posture {
 
 struct PointIndex::Tree {
   Eigen::Vector3d center;
+  double unit = 1;
   pcl::KdTreeFLANN<pcl::PointXYZ> kdtree;
 
   pcl::PointXYZ local(const Eigen::Vector3d& point) const {
-    const Eigen::Vector3f p = (point - center).cast<float>();
+    const Eigen::Vector3f p = ((point - center) / unit).cast<float>();
     return {p.x(), p.y(), p.z()};
   }
 };
@@ -25,6 +26,9 @@ PointIndex::PointIndex(const Points& points) {
   require(points.rows() > 0, "PointIndex: no points");
   auto tree = std::make_unique<Tree>();
   tree->center = points.colwise().mean();
+  const double extent = (points.rowwise() - tree->center.transpose()).cwiseAbs().maxCoeff();
+  // A power of two changes no digit.
+  if (extent > 0) tree->unit = std::exp2(std::round(std::log2(extent)));
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   cloud->reserve(points.rows());
   for (int i = 0; i < points.rows(); ++i) cloud->push_back(tree->local(points.row(i)));
@@ -40,7 +44,7 @@ PointIndex::Neighbor PointIndex::nearest(const Eigen::Vector3d& query) const {
   std::vector<int> index(1, -1);
   std::vector<float> distance_sq(1, 0);
   tree_->kdtree.nearestKSearch(tree_->local(query), 1, index, distance_sq);
-  return {index[0], std::sqrt(static_cast<double>(distance_sq[0]))};
+  return {index[0], tree_->unit * std::sqrt(static_cast<double>(distance_sq[0]))};
 }
 
 }  // namespace posture

@@ -10,14 +10,14 @@ const Vec3 X = Vec3::UnitX(), Y = Vec3::UnitY(), Z = Vec3::UnitZ();
 // Rows of numbers.
 // clang-format off
 void addBones(ShapeBuilder& body) {
-  const auto bone = [&](const char* name, const char* parent, Vec3 joint, Vec3 end, double blend,
-                        double gate, JointAngles lower, JointAngles upper) {
+  const auto bone = [&](const char* name, const char* parent, const Vec3& joint, const Vec3& end,
+                        double blend, double gate, JointAngles lower, JointAngles upper) {
     body.addBone(
         {name, -1, joint, end, -X, Vec3::Zero(), blend, gate, lower, upper}, parent, false);
   };
-  const auto pair = [&](const char* name, const char* parent, Vec3 joint, Vec3 end, Vec3 flex,
-                        Vec3 normal, double blend, double gate, JointAngles lower,
-                        JointAngles upper) {
+  const auto pair = [&](const char* name, const char* parent, const Vec3& joint, const Vec3& end,
+                        const Vec3& flex, const Vec3& normal, double blend, double gate,
+                        JointAngles lower, JointAngles upper) {
     body.addBone({name, -1, joint, end, flex, normal, blend, gate, lower, upper}, parent, true);
   };
   const Vec3 along = Vec3::Zero();
@@ -44,8 +44,8 @@ void addBones(ShapeBuilder& body) {
 }
 
 void addTorso(ShapeBuilder& body) {
-  const auto part = [&](const char* bone, Vec3 a, double ra, Vec3 b, double rb, Vec3 axis,
-                        double flat, double blend) {
+  const auto part = [&](const char* bone, const Vec3& a, double ra, const Vec3& b, double rb,
+                        const Vec3& axis, double flat, double blend) {
     body.addPart(bone, {0, a, b, ra, rb, axis, flat, blend, 1});
   };
   part("pelvis", {0, -.002, .55}, .079, {0, -.002, .53}, .078, Y, .70, .02);
@@ -59,8 +59,8 @@ void addTorso(ShapeBuilder& body) {
 }
 
 void addHead(ShapeBuilder& body) {
-  const auto part = [&](const char* bone, Vec3 a, double ra, Vec3 b, double rb, Vec3 axis,
-                        double flat, double blend, double detail) {
+  const auto part = [&](const char* bone, const Vec3& a, double ra, const Vec3& b, double rb,
+                        const Vec3& axis, double flat, double blend, double detail) {
     body.addPart(bone, {0, a, b, ra, rb, axis, flat, blend, detail});
   };
   part("neck", {0, -.006, .80}, .035, {0, .002, .89}, .030, X, .98, .02, .9);
@@ -74,8 +74,8 @@ void addHead(ShapeBuilder& body) {
 }
 
 void addArms(ShapeBuilder& body) {
-  const auto part = [&](const char* bone, Vec3 a, double ra, Vec3 b, double rb, Vec3 axis,
-                        double flat, double blend, double detail, double bulge) {
+  const auto part = [&](const char* bone, const Vec3& a, double ra, const Vec3& b, double rb,
+                        const Vec3& axis, double flat, double blend, double detail, double bulge) {
     body.addPart(bone, {0, a, b, ra, rb, axis, flat, blend, detail, bulge});
   };
   const Vec3 palm(.707, 0, .707);
@@ -91,14 +91,15 @@ void addArms(ShapeBuilder& body) {
 }
 
 void addLegs(ShapeBuilder& body) {
-  const auto cone = [&](const char* bone, Vec3 a, double ra, Vec3 b, double rb, double blend,
-                        double detail, double bulge) {
+  const auto cone = [&](const char* bone, const Vec3& a, double ra, const Vec3& b, double rb,
+                        double blend, double detail, double bulge) {
     body.addPart(bone, {0, a, b, ra, rb, X, 1, blend, detail, bulge});
   };
   cone("thigh", {.05, .002, .515}, .050, {.072, .006, .285}, .0325, .02, 1, .0055);
   cone("shin", {.072, .006, .285}, .0325, {.086, -.012, .05}, .0185, .005, .85, .0015);
   cone("shin", {.077, -.006, .25}, .029, {.082, -.012, .13}, .023, .012, .85, .0055);  // calf
-  const auto foot = [&](Vec3 a, double ra, Vec3 b, double rb, double flat, double blend) {
+  const auto foot = [&](const Vec3& a, double ra, const Vec3& b, double rb, double flat,
+                        double blend) {
     body.addPart("foot", {0, a, b, ra, rb, Z, flat, blend, .65});
   };
   foot({.086, -.020, .021}, .0205, {.086, -.013, .05}, .0185, 1, .01);  // heel

@@ -119,7 +119,7 @@ class Marcher {
     if (is_new) {
       const double a = lattice_.value[in], b = lattice_.value[out];
       const double t = std::clamp(a / (a - b), 0.05, 0.95);
-      points_.push_back((1 - t) * lattice_.place(in) + t * lattice_.place(out));
+      points_.emplace_back((1 - t) * lattice_.place(in) + t * lattice_.place(out));
     }
     return entry->second;
   }

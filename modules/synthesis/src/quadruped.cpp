@@ -10,12 +10,14 @@ const Vec3 X = Vec3::UnitX(), Z = Vec3::UnitZ();
 // Rows of numbers.
 // clang-format off
 void addBones(ShapeBuilder& body) {
-  const auto bone = [&](const char* name, const char* parent, Vec3 joint, Vec3 end, Vec3 normal,
-                        double blend, double gate, JointAngles lower, JointAngles upper) {
+  const auto bone = [&](const char* name, const char* parent, const Vec3& joint, const Vec3& end,
+                        const Vec3& normal, double blend, double gate, JointAngles lower,
+                        JointAngles upper) {
     body.addBone({name, -1, joint, end, X, normal, blend, gate, lower, upper}, parent, false);
   };
-  const auto pair = [&](const char* name, const char* parent, Vec3 joint, Vec3 end, Vec3 normal,
-                        double blend, double gate, JointAngles lower, JointAngles upper) {
+  const auto pair = [&](const char* name, const char* parent, const Vec3& joint, const Vec3& end,
+                        const Vec3& normal, double blend, double gate, JointAngles lower,
+                        JointAngles upper) {
     body.addBone({name, -1, joint, end, X, normal, blend, gate, lower, upper}, parent, true);
   };
   const Vec3 along = Vec3::Zero();  // the plane across the bone itself
@@ -55,7 +57,8 @@ void addBones(ShapeBuilder& body) {
 
 void addTrunk(ShapeBuilder& body) {
   const auto cone =
-      [&](const char* bone, Vec3 a, double ra, Vec3 b, double rb, double flat, double blend) {
+      [&](const char* bone, const Vec3& a, double ra, const Vec3& b, double rb, double flat,
+          double blend) {
         body.addPart(bone, {0, a, b, ra, rb, X, flat, blend, 1});
       };
   cone("chest", {0, .15, .435}, .103, {0, .02, .436}, .106, .76, .02);  // ribs
@@ -71,8 +74,8 @@ void addTrunk(ShapeBuilder& body) {
 }
 
 void addHead(ShapeBuilder& body) {
-  const auto part = [&](const char* bone, Vec3 a, double ra, Vec3 b, double rb, Vec3 axis,
-                        double flat, double blend, double detail) {
+  const auto part = [&](const char* bone, const Vec3& a, double ra, const Vec3& b, double rb,
+                        const Vec3& axis, double flat, double blend, double detail) {
     body.addPart(bone, {0, a, b, ra, rb, axis, flat, blend, detail});
   };
   part("neck", {0, .15, .455}, .088, {0, .26, .565}, .066, X, .84, .03, 1);
@@ -88,8 +91,8 @@ void addHead(ShapeBuilder& body) {
 }
 
 void addLegs(ShapeBuilder& body) {
-  const auto cone = [&](const char* bone, Vec3 a, double ra, Vec3 b, double rb, double flat,
-                        double blend, double detail, double bulge) {
+  const auto cone = [&](const char* bone, const Vec3& a, double ra, const Vec3& b, double rb,
+                        double flat, double blend, double detail, double bulge) {
     body.addPart(bone, {0, a, b, ra, rb, X, flat, blend, detail, bulge});
   };
   cone("chest", {.045, .12, .50}, .045, {.055, .155, .43}, .056, .8, .05, 1, 0);  // shoulder blade

@@ -38,8 +38,8 @@ class FastMarching {
   void marchUntil(int source, const std::vector<int>& goals, GeodesicField& field) const;
 
   /// Lowers `distance` (n, infinity where nothing was reached so far) to the distance from `source`
-  /// wherever that is less, and touches no other part of the mesh: the cost is that of the
-  /// source's Voronoi cell. `nearest` (n) becomes `label` there.
+  /// wherever that is less; `nearest` (n) becomes `label` there. The front does not leave the
+  /// source's Voronoi cell.
   void marchWithin(int source,
                    int label,
                    std::vector<double>& distance,

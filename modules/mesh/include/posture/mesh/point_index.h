@@ -8,8 +8,8 @@
 
 namespace posture {
 
-/// Nearest neighbours in space (PCL's kd-tree). Coordinates are centred first: PCL computes in
-/// single precision, and scans in map coordinates lie far from the origin.
+/// Nearest neighbours in space (PCL's kd-tree). Coordinates are centred and scaled first: PCL
+/// computes in single precision, and scans come far from the origin and in any unit.
 class PointIndex {
  public:
   struct Neighbor {
@@ -23,7 +23,7 @@ class PointIndex {
   PointIndex(PointIndex&&) noexcept;
   PointIndex& operator=(PointIndex&&) noexcept;
 
-  /// May be called from several threads.
+  /// May be called from several threads. \pre  the query is finite.
   Neighbor nearest(const Eigen::Vector3d& query) const;
 
  private:

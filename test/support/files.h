@@ -6,10 +6,11 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace posture::test {
 
-/// A folder of its own that goes with the object.
+/// A folder of its own that ends with this object.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -18,14 +19,17 @@ class TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
   /// Writes a file into the folder.
   std::filesystem::path file(const std::string& name, const std::string& bytes) const;
-  int entryCount() const;
+  /// Names of what is in it, sorted.
+  std::vector<std::string> names() const;
 
  private:
   std::filesystem::path path_;
 };
 
+/// Empty where there is no such file.
 std::string bytesOf(const std::filesystem::path& path);
 
 /// The message of the InputError that `action` throws; empty where it throws none.

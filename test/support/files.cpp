@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/files.h"
+#include "support/files.h"
 
-#include <atomic>
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <unistd.h>
+#include <stdexcept>
 
 namespace posture::test {
 namespace fs = std::filesystem;
 
 TemporaryFolder::TemporaryFolder() {
-  static std::atomic<int> counter{0};
-  path_ = fs::temp_directory_path() /
-          ("posture-test-io-" + std::to_string(::getpid()) + "-" + std::to_string(counter++));
-  fs::create_directories(path_);
+  std::string name = (fs::temp_directory_path() / "posture-test-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder " + name);
+  path_ = name;
 }
 
 TemporaryFolder::~TemporaryFolder() {
@@ -30,8 +30,12 @@ fs::path TemporaryFolder::file(const std::string& name, const std::string& bytes
   return path;
 }
 
-int TemporaryFolder::entryCount() const {
-  return static_cast<int>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
+std::vector<std::string> TemporaryFolder::names() const {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(path_))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 std::string bytesOf(const fs::path& path) {
