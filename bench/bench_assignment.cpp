@@ -26,7 +26,11 @@ void assign(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(minimumCostAssignment(cost));
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(assign)->RangeMultiplier(2)->Range(125, 1000)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK(assign)
+    ->RangeMultiplier(2)
+    ->Range(125, 1000)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity();
 
 }  // namespace
 }  // namespace posture

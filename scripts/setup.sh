@@ -6,7 +6,7 @@
 packages=(
   g++ cmake ninja-build ccache                                # build
   libeigen3-dev libboost-dev libpcl-dev                       # modules
-  libceres-dev libspectra-dev nlohmann-json3-dev libcli11-dev
+  libceres-dev libgoogle-glog-dev libspectra-dev nlohmann-json3-dev libcli11-dev
   libvtk9-dev libx11-dev libgl1-mesa-dri xvfb                 # pictures, with or without a screen
   libgtest-dev libgmock-dev                                   # tests
 )

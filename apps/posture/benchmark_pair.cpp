@@ -45,9 +45,8 @@ std::pair<PairData, double> readPair(const BenchmarkPair& pair) {
 /// The candidate that deformation alone would choose, as published.
 std::size_t leastDeformed(const RegistrationResult& result) {
   const auto& all = result.hypotheses;
-  const auto least = std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return a.energy < b.energy;
-  });
+  const auto least = std::min_element(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.energy < b.energy; });
   return static_cast<std::size_t>(least - all.begin());
 }
 

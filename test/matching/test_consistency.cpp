@@ -63,6 +63,12 @@ TEST(ConsistencyThreshold, isNeverNegative) {
   EXPECT_EQ(consistencyThreshold({c}), 0);
 }
 
+TEST(ConsistencyThreshold, leavesRoomForAPerfectIsometry) {
+  const Matrix c = Matrix::Ones(6, 6);
+  EXPECT_LT(consistencyThreshold({c}), 1);
+  EXPECT_EQ(consistencyKernel(c, consistencyThreshold({c})).size(), 6);
+}
+
 TEST(ConsistencyKernel, keepsTheConsistentAndDropsTheRest) {
   Rng rng(2);
   Points source(80, 3);

@@ -126,7 +126,8 @@ class Collapser {
     Faces kept(live.rows(), 3);
     int count = 0;
     for (int f = 0; f < live.rows(); ++f)
-      if (keep_[live(f, 0)] && keep_[live(f, 1)] && keep_[live(f, 2)]) kept.row(count++) = live.row(f);
+      if (keep_[live(f, 0)] && keep_[live(f, 1)] && keep_[live(f, 2)])
+        kept.row(count++) = live.row(f);
     return kept.topRows(count);
   }
 

@@ -61,7 +61,8 @@ class KnownNearby {
   std::vector<int> seen_, found_, ring_, next_;
 };
 
-Eigen::Isometry3d rigidMotion(const TriangleMesh& mesh, const Points& places,
+Eigen::Isometry3d rigidMotion(const TriangleMesh& mesh,
+                              const Points& places,
                               const std::vector<int>& vertices) {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   if (vertices.empty()) return motion;

@@ -11,7 +11,8 @@
 namespace posture {
 namespace {
 
-/// The target vertex nearest, in the embedding, to where the spline takes each source vertex.
+/// The target vertex nearest, in the embedding, to where the spline takes each source vertex; -1
+/// where the spline breaks down.
 std::vector<int> nearestVertices(const EmbeddedShape& source,
                                  const EmbeddedShape& target,
                                  const ThinPlateSpline& spline) {
@@ -19,7 +20,10 @@ std::vector<int> nearestVertices(const EmbeddedShape& source,
   const int n = static_cast<int>(source.form.vertices.rows());
   std::vector<int> nearest(n);
 #pragma omp parallel for schedule(dynamic, 64)
-  for (int v = 0; v < n; ++v) nearest[v] = index.nearest(spline(source.form.vertices.row(v))).index;
+  for (int v = 0; v < n; ++v) {
+    const Eigen::RowVector3d place = spline(source.form.vertices.row(v));
+    nearest[v] = place.allFinite() ? index.nearest(place).index : -1;
+  }
   return nearest;
 }
 
@@ -51,6 +55,7 @@ Agreement agreement(const EmbeddedShape& source,
       const auto from_source = source.landmarks.distances.row(match.source);
       const auto from_target = target.landmarks.distances.row(match.target);
       for (int v = begin; v < std::min(n, begin + BLOCK); ++v) {
+        if (target_vertex[v] < 0) continue;
         const double a = from_source[v], b = from_target[target_vertex[v]];
         const bool near = std::abs(a - b) <= uncertainty;
         const double c = lengthConsistency(a, b);
@@ -82,7 +87,7 @@ DenseMap computeDenseMap(const EmbeddedShape& source,
   map.target_vertex = nearestVertices(source, target, ThinPlateSpline(from, to));
   const Agreement found = agreement(source, target, matches, map.target_vertex, threshold);
   for (int v = 0; v < n; ++v) {
-    if (found.inconsistent[v] > 0)
+    if (map.target_vertex[v] < 0 || found.inconsistent[v] > 0)
       map.target_vertex[v] = -1;
     else
       map.confidence[v] = std::clamp((found.mean[v] - threshold) / (1 - threshold), 0.0, 1.0);

@@ -83,8 +83,7 @@ void ThinPlateSpline::fit(const Points& to, const double* smoothing) {
 
 Eigen::RowVector3d ThinPlateSpline::operator()(const Eigen::RowVector3d& x) const {
   Eigen::RowVector3d y = affine_.row(0) + x * affine_.bottomRows<3>();
-  for (int i = 0; i < centers_.rows(); ++i)
-    y -= (x - centers_.row(i)).norm() * weights_.row(i);
+  for (int i = 0; i < centers_.rows(); ++i) y -= (x - centers_.row(i)).norm() * weights_.row(i);
   return y;
 }
 

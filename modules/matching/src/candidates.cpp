@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/parallel.h>
 #include <posture/matching/assignment.h>
 #include <posture/matching/candidates.h>
 
@@ -32,10 +33,12 @@ Points moveOnto(const Points& source, const Points& target, const Assignment& as
     weight[i] = 1 / std::max((to.row(i) - source.row(i)).norm(), floor);
   }
   weight /= weight.sum();
-  const Eigen::RowVector3d from_mean = weight.transpose() * source, to_mean = weight.transpose() * to;
-  const Eigen::Matrix3d covariance = (source.rowwise() - from_mean).transpose() *
-                                     weight.asDiagonal() * (to.rowwise() - to_mean);
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::RowVector3d from_mean = weight.transpose() * source,
+                           to_mean = weight.transpose() * to;
+  const Eigen::Matrix3d covariance =
+      (source.rowwise() - from_mean).transpose() * weight.asDiagonal() * (to.rowwise() - to_mean);
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
   const bool mirrors = (svd.matrixU() * svd.matrixV()).determinant() < 0;
   const Eigen::Vector3d handedness(1, 1, mirrors ? -1 : 1);
   const Eigen::Matrix3d turn = svd.matrixU() * handedness.asDiagonal() * svd.matrixV().transpose();
@@ -72,11 +75,11 @@ Candidate align(const Points& source, const Points& target, const std::array<int
 std::vector<Candidate> alignmentCandidates(const CanonicalForm& source,
                                            const CanonicalForm& target) {
   std::vector<Candidate> candidates(8);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int k = 0; k < 8; ++k)
-    candidates[k] = align(source.landmarks,
-                          target.landmarks,
-                          {(k & 1) != 0 ? -1 : 1, (k & 2) != 0 ? -1 : 1, (k & 4) != 0 ? -1 : 1});
+  parallelFor(8, [&](int k) {
+    const std::array<int, 3> signs{
+        (k & 1) != 0 ? -1 : 1, (k & 2) != 0 ? -1 : 1, (k & 4) != 0 ? -1 : 1};
+    candidates[k] = align(source.landmarks, target.landmarks, signs);
+  });
   return candidates;
 }
 

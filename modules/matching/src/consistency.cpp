@@ -53,14 +53,14 @@ double consistencyThreshold(const std::vector<Matrix>& matrices) {
     count += static_cast<double>(c.size() - c.rows());
   }
   const double sigma = count > 0 ? std::sqrt(sum / count) : 0;
-  return std::max(0.0, 1 - 3 * sigma);
+  // A perfect isometry leaves no deviation to learn; its lengths still differ by rounding.
+  return std::clamp(1 - 3 * sigma, 0.0, 1 - 1e-6);
 }
 
 std::vector<int> consistencyKernel(const Matrix& consistency, double threshold) {
   require(threshold < 1, "consistencyKernel: the threshold must be below 1");
   const int m = static_cast<int>(consistency.rows());
-  Matrix affinity =
-      (((consistency.array() - threshold) / (1 - threshold)).cwiseMax(0.0)).square();
+  Matrix affinity = (((consistency.array() - threshold) / (1 - threshold)).cwiseMax(0.0)).square();
   affinity.diagonal().setZero();
   const Vector strength = principalEigenvector(affinity);
   std::vector<int> by_strength(m);

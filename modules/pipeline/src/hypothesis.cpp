@@ -40,7 +40,8 @@ Points normalsAt(const std::vector<VertexPair>& pairs, const TriangleMesh& targe
 std::vector<Matrix> consistencyMatrices(const std::vector<Candidate>& candidates,
                                         const Landmarks& source,
                                         const Landmarks& target) {
-  const Matrix source_distances = sampleDistances(source), target_distances = sampleDistances(target);
+  const Matrix source_distances = sampleDistances(source),
+               target_distances = sampleDistances(target);
   std::vector<Matrix> matrices(candidates.size());
   parallelFor(static_cast<int>(candidates.size()), [&](int k) {
     matrices[k] = consistencyMatrix(candidates[k].matches, source_distances, target_distances);

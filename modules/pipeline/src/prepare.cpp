@@ -73,10 +73,8 @@ std::vector<StagePicture> samplePictures(const EmbeddedShape& source, const Embe
 
 std::vector<StagePicture> formPictures(const EmbeddedShape& source, const EmbeddedShape& target) {
   const auto picture = [](const std::string& side, const EmbeddedShape& shape) {
-    return StagePicture{side + "-canonical-form",
-                        {shape.form.vertices, shape.mesh.faces},
-                        shape.mesh.vertices,
-                        {}};
+    return StagePicture{
+        side + "-canonical-form", {shape.form.vertices, shape.mesh.faces}, shape.mesh.vertices, {}};
   };
   return {picture("source", source), picture("target", target)};
 }

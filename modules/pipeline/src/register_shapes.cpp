@@ -18,9 +18,10 @@ RegistrationResult registerShapes(const TriangleMesh& source_input,
                                   const Observer& observer) {
   StageClock clock(observer);
 
-  const auto [source_clean, target_clean] = clock.stage("cleaning", 0.02, [&] {
-    return std::pair(cleanSide("source", source_input), cleanSide("target", target_input));
-  });
+  const CleanMesh source_clean =
+      clock.stage("cleaning", 0.01, [&] { return cleanSide("source", source_input); });
+  const CleanMesh target_clean =
+      clock.stage("cleaning", 0.01, [&] { return cleanSide("target", target_input); });
   clock.show([&] { return cleaningPictures(source_clean, target_clean); });
 
   // 4.1: Voronoi samples, geodesic distances by fast marching, confidence w = 1 - m_h / m.
@@ -43,8 +44,8 @@ RegistrationResult registerShapes(const TriangleMesh& source_input,
   clock.show([&] { return formPictures(source, target); });
 
   // 4.1: the 2^k sign alignments of the principal axes, an optimal assignment each.
-  const std::vector<Candidate> candidates = clock.stage(
-      "assignment", 0.1, [&] { return alignmentCandidates(source.form, target.form); });
+  const std::vector<Candidate> candidates =
+      clock.stage("assignment", 0.1, [&] { return alignmentCandidates(source.form, target.form); });
 
   // 4.2: consistency matrices C; c0 = mu - 3 sigma learned over all of them.
   const std::vector<Matrix> consistency = clock.stage("consistency", 0.03, [&] {
@@ -62,7 +63,8 @@ RegistrationResult registerShapes(const TriangleMesh& source_input,
   });
   clock.show([&] { return hypothesisPictures(source, target, hypotheses); });
 
-  // 5: the candidate of least deformation wins; beyond the paper, of those that keep the outside out.
+  // 5: the candidate of least deformation wins; beyond the paper, of those that keep the outside
+  // out.
   const int chosen = choose(hypotheses, options.method);
   RegistrationResult result = clock.stage("result", 0.0, [&] {
     return assembleResult({source_input, source_clean, source},

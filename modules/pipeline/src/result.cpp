@@ -26,7 +26,8 @@ ShapeSummary summarize(const Side& side) {
 
 /// A map between clean vertices in the numbering of the input; loose vertices go where the vertex
 /// they follow goes.
-std::vector<int> toInput(const std::vector<int>& map, const CleanMesh& source,
+std::vector<int> toInput(const std::vector<int>& map,
+                         const CleanMesh& source,
                          const CleanMesh& target) {
   std::vector<int> target_vertex(source.clean_vertex.size(), -1);
   for (std::size_t v = 0; v < target_vertex.size(); ++v) {
@@ -53,8 +54,10 @@ HypothesisSummary summarize(const Hypothesis& h, const Side& source, const Side&
   return summary;
 }
 
-Correspondence correspondence(const Hypothesis& h, const std::vector<int>& target_vertex,
-                              const Side& source, const Side& target) {
+Correspondence correspondence(const Hypothesis& h,
+                              const std::vector<int>& target_vertex,
+                              const Side& source,
+                              const Side& target) {
   const std::vector<int> face_of =
       vertexFaces(target.input.faces, static_cast<int>(target.input.vertices.rows()));
   Correspondence result;
@@ -96,7 +99,8 @@ Points deform(const Hypothesis& h, const Side& source, const Side& target, doubl
   const Points moved = followMatches(mesh, known, places, extra, anchor);
 
   Points deformed(source.input.vertices.rows(), 3);
-  for (int v = 0; v < deformed.rows(); ++v) deformed.row(v) = moved.row(source.clean.clean_vertex[v]);
+  for (int v = 0; v < deformed.rows(); ++v)
+    deformed.row(v) = moved.row(source.clean.clean_vertex[v]);
   for (std::size_t i = 0; i < loose.size(); ++i)
     deformed.row(loose[i]) = moved.row(mesh.vertices.rows() + i);
   return deformed;

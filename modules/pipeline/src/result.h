@@ -7,7 +7,6 @@
 #include <posture/pipeline/register_shapes.h>
 
 #include "hypothesis.h"
-
 #include <vector>
 
 namespace posture {

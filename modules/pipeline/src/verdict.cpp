@@ -26,10 +26,11 @@ void giveVerdict(RegistrationResult& result) {
   if (chosen.accepted_vertices == 0) {
     result.message = "no candidate gives a consistent map from source to target";
   } else if (chosen.consistency < LEAST_CONSISTENCY) {
-    result.message = "source and target do not look like one body in two poses: distances on them "
-                     "agree to only " +
-                     percent(chosen.consistency) + " under the best candidate (" +
-                     percent(LEAST_CONSISTENCY) + " at least is expected)";
+    result.message =
+        "source and target do not look like one body in two poses: distances on them "
+        "agree to only " +
+        percent(chosen.consistency) + " under the best candidate (" + percent(LEAST_CONSISTENCY) +
+        " at least is expected)";
   } else {
     int mapped = 0;
     for (int t : chosen.target_vertex) mapped += t >= 0;

@@ -33,10 +33,10 @@ double orientationVote(const CommonMesh& mesh, const Points& target_normals) {
   double vote = 0, area = 0;
   for (int f = 0; f < mesh.faces.rows(); ++f) {
     const Eigen::Vector3d normal = areaNormal(mesh.target, mesh.faces, f);
-    const Eigen::Vector3d expected = (target_normals.row(mesh.faces(f, 0)) +
-                                      target_normals.row(mesh.faces(f, 1)) +
-                                      target_normals.row(mesh.faces(f, 2)))
-                                         .transpose();
+    const Eigen::Vector3d expected =
+        (target_normals.row(mesh.faces(f, 0)) + target_normals.row(mesh.faces(f, 1)) +
+         target_normals.row(mesh.faces(f, 2)))
+            .transpose();
     const double agreement = normal.dot(expected);
     vote += agreement > 0 ? normal.norm() : (agreement < 0 ? -normal.norm() : 0);
     area += normal.norm();

@@ -27,9 +27,9 @@ class ThinPlateSpline {
  private:
   void fit(const Points& to, const double* smoothing);
 
-  Points centers_;                            // m x 3
-  Points weights_;                            // m x 3, sum 0
-  Eigen::Matrix<double, 4, 3> affine_;        // row 0: translation
+  Points centers_;                      // m x 3
+  Points weights_;                      // m x 3, sum 0
+  Eigen::Matrix<double, 4, 3> affine_;  // row 0: translation
   double smoothing_ = 0;
 };
 

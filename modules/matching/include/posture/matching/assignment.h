@@ -12,8 +12,9 @@ using CostMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::
 
 /// A one-to-one choice of columns for rows, with the proof that none is cheaper.
 struct Assignment {
-  std::vector<int> column_of_row;  ///< r; -1 for rows left over when there are more rows than columns
-  double cost = 0;                 ///< the sum of the chosen entries
+  std::vector<int>
+      column_of_row;  ///< r; -1 for rows left over when there are more rows than columns
+  double cost = 0;    ///< the sum of the chosen entries
   /// Dual variables: cost(i, j) >= row_dual[i] + column_dual[j], with equality where chosen; a dual
   /// of the longer side is <= 0, and 0 where it is left over. Their sum is the cost.
   Vector row_dual;

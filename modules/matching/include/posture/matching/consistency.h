@@ -19,9 +19,9 @@ Matrix consistencyMatrix(const std::vector<Match>& matches,
                          const Matrix& source_distances,
                          const Matrix& target_distances);
 
-/// c0 = mu - 3 sigma of section 4.2. Learned by maximum likelihood from the entries off the diagonal
-/// of all matrices, mirrored at 1: the mean is then 1 and the variance that of the entries about 1.
-/// At least 0.
+/// c0 = mu - 3 sigma of section 4.2. Learned by maximum likelihood from the entries off the
+/// diagonal of all matrices, mirrored at 1: the mean is then 1 and the variance that of the entries
+/// about 1. At least 0, and below 1 even for a perfect isometry.
 double consistencyThreshold(const std::vector<Matrix>& matrices);
 
 /// The consistent subset of matches (Leordeanu and Hebert 2005): by the principal eigenvector of
