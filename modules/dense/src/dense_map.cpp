@@ -33,10 +33,11 @@ struct Agreement {
   Vector mean;                    ///< n: mean consistency
 };
 
-/// Samples are matched to samples, so a match lies beside its true place by up to their spacing:
-/// two lengths that differ by less than that are no contradiction, whatever their ratio.
+/// Samples are matched one-to-one to samples that were chosen without regard to each other, so a
+/// match lies beside its true place by up to the spacing of both: two lengths that differ by less
+/// are no contradiction, whatever their ratio.
 double matchUncertainty(const EmbeddedShape& source, const EmbeddedShape& target) {
-  return std::max(source.landmarks.covering_radius, target.landmarks.covering_radius);
+  return source.landmarks.covering_radius + target.landmarks.covering_radius;
 }
 
 Agreement agreement(const EmbeddedShape& source,
