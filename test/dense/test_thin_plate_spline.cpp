@@ -6,17 +6,13 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/shapes.h"
 #include <cmath>
 
 namespace posture {
 namespace {
 
-Points randomPoints(int count, std::uint64_t seed) {
-  Rng rng(seed);
-  Points points(count, 3);
-  for (int i = 0; i < points.size(); ++i) points.data()[i] = rng.normal();
-  return points;
-}
+using test::randomPoints;
 
 /// A smooth bend of space.
 Points bend(const Points& points) {

@@ -5,22 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/shapes.h"
+
 namespace posture {
 namespace {
 
-Points randomPoints(int count, std::uint64_t seed) {
-  Rng rng(seed);
-  Points points(count, 3);
-  for (int i = 0; i < points.size(); ++i) points.data()[i] = rng.normal();
-  return points;
-}
-
-Matrix pairwise(const Points& points) {
-  Matrix distances(points.rows(), points.rows());
-  for (int i = 0; i < points.rows(); ++i)
-    distances.col(i) = (points.rowwise() - points.row(i)).rowwise().norm();
-  return distances;
-}
+using test::pairwise;
+using test::randomPoints;
 
 Table ones(Eigen::Index size) { return Table::Ones(size, size); }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/shapes.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,12 +13,7 @@
 namespace posture {
 namespace {
 
-Matrix pairwise(const Points& points) {
-  Matrix distances(points.rows(), points.rows());
-  for (int i = 0; i < points.rows(); ++i)
-    distances.col(i) = (points.rowwise() - points.row(i)).rowwise().norm();
-  return distances;
-}
+using test::pairwise;
 
 std::vector<Match> identity(int count) {
   std::vector<Match> matches;

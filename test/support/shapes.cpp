@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/shapes.h"
 
+#include <posture/core/rng.h>
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -85,6 +87,20 @@ TriangleMesh bentStrip(int columns, int rows, double length, double width, doubl
     mesh.vertices(i, 2) = radius * (1 - std::cos(phi));
   }
   return mesh;
+}
+
+Points randomPoints(int count, std::uint64_t seed) {
+  Rng rng(seed);
+  Points points(count, 3);
+  for (int i = 0; i < points.size(); ++i) points.data()[i] = rng.normal();
+  return points;
+}
+
+Matrix pairwise(const Points& points) {
+  Matrix distances(points.rows(), points.rows());
+  for (int i = 0; i < points.rows(); ++i)
+    distances.col(i) = (points.rowwise() - points.row(i)).rowwise().norm();
+  return distances;
 }
 
 }  // namespace posture::test
