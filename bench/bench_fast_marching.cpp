@@ -9,7 +9,8 @@
 namespace posture {
 namespace {
 
-/// One source over the whole sphere. Items are vertices: their rate falls with log n alone.
+/// One source over the whole sphere. Items are vertices: their rate falls only as the mesh
+/// outgrows the caches.
 void march(benchmark::State& state) {
   const TriangleMesh sphere = test::sphere(static_cast<int>(state.range(0)));
   const FastMarching marching(sphere);

@@ -159,6 +159,48 @@ TEST(FastMarching, survivesFacesWithoutArea) {
   for (double d : distancesFrom(mesh, 0)) EXPECT_TRUE(std::isfinite(d));
 }
 
+TEST(FastMarching, reachesVerticesByIncreasingDistance) {
+  for (int level : {2, 5}) {
+    const TriangleMesh sphere = test::sphere(level);
+    GeodesicField field;
+    FastMarching(sphere).march(3, field);
+    ASSERT_EQ(field.order.size(), sphere.vertices.rows());
+    // Wedges are kept in single precision.
+    for (std::size_t i = 1; i < field.order.size(); ++i)
+      ASSERT_LE(field.distance[field.order[i - 1]] * (1 - 1e-6), field.distance[field.order[i]]);
+  }
+}
+
+TEST(FastMarching, isNotDisturbedByOneLongEdge) {
+  const TriangleMesh plane = test::grid(40, 40, 1, 1);
+  const int n = static_cast<int>(plane.vertices.rows()), source = n / 2;
+  const std::vector<double> expected = distancesFrom(plane, source);
+  for (double length : {10.0, 1e4, 1e8}) {
+    TriangleMesh spiked = plane;
+    spiked.vertices.conservativeResize(n + 1, 3);
+    spiked.vertices.row(n) << 0, -length, 0;
+    spiked.faces.conservativeResize(spiked.faces.rows() + 1, 3);
+    spiked.faces.bottomRows(1) << 1, 0, n;
+    std::vector<double> found = distancesFrom(spiked, source);
+    // Vertex 1 is the nearest place the spike can be entered at.
+    EXPECT_NEAR(found[n], expected[1] + std::hypot(1.0 / 40, length), 1e-6 * length);
+    found.pop_back();
+    EXPECT_EQ(found, expected) << length;
+  }
+}
+
+TEST(FastMarching, knowsNoUnit) {
+  const TriangleMesh strip = test::bentStrip(40, 8, 4, 1, 4.0);
+  const std::vector<double> expected = distancesFrom(strip, 0);
+  for (int exponent : {-100, -20, 20, 100}) {
+    TriangleMesh scaled = strip;
+    scaled.vertices *= std::ldexp(1.0, exponent);
+    const std::vector<double> found = distancesFrom(scaled, 0);
+    for (std::size_t v = 0; v < found.size(); ++v)
+      ASSERT_EQ(found[v], std::ldexp(expected[v], exponent)) << exponent;
+  }
+}
+
 TEST(FastMarching, stopsAtItsGoalsWithTheSameDistances) {
   const TriangleMesh sphere = test::sphere(4);
   const FastMarching marching(sphere);

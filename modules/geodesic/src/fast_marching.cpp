@@ -3,6 +3,7 @@
 #include <posture/core/error.h>
 #include <posture/geodesic/fast_marching.h>
 
+#include "bucket_queue.h"
 #include "unfolding.h"
 #include <algorithm>
 #include <cmath>
@@ -44,40 +45,27 @@ Arrival arrival(const Wedge& w, double da, double db) {
   return {std::sqrt((w.x - sx) * (w.x - sx) + rise * rise), crossing > w.base / 2};
 }
 
-struct QueueEntry {
-  double distance;
-  int vertex;
-
-  /// The standard heap keeps the largest on top; equal distances go by number.
-  bool operator<(const QueueEntry& that) const {
-    return distance != that.distance ? distance > that.distance : vertex > that.vertex;
-  }
-};
-
-/// A binary heap with lazy deletion: a vertex whose distance falls is pushed again.
-class Front {
- public:
-  bool empty() const { return heap_.empty(); }
-  void push(double distance, int vertex) {
-    heap_.push_back({distance, vertex});
-    std::push_heap(heap_.begin(), heap_.end());
-  }
-  QueueEntry pop() {
-    std::pop_heap(heap_.begin(), heap_.end());
-    const QueueEntry top = heap_.back();
-    heap_.pop_back();
-    return top;
-  }
-
- private:
-  std::vector<QueueEntry> heap_;
-};
+/// Half as many buckets across the mesh as it has vertices: few share one, few are empty. Fewer
+/// where the longest side would need too large a ring.
+BucketRing bucketRing(const std::vector<Wedge>& wedges, const Points& vertices) {
+  constexpr double LARGEST = 2048;
+  double longest = 0;
+  for (const Wedge& w : wedges) longest = std::max(longest, double{w.side});
+  BucketRing ring;
+  if (!(longest > 0)) return ring;
+  const double across = (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).norm();
+  const double width = std::max(longest / (LARGEST - 4), 2 * across / vertices.rows());
+  ring.per_length = 1 / width;
+  while (static_cast<double>(ring.size) < longest / width + 3) ring.size *= 2;
+  return ring;
+}
 
 }  // namespace
 
 struct FastMarching::Graph {
   std::vector<int> first_wedge;  // n + 1 offsets into wedges, by the vertex the front comes from
   std::vector<Wedge> wedges;
+  BucketRing ring;
 
   int vertexCount() const { return static_cast<int>(first_wedge.size()) - 1; }
   void checkVertex(int v) const {
@@ -88,13 +76,16 @@ struct FastMarching::Graph {
   /// `stop()` whether all is done.
   template <class Accept, class Stop>
   void run(int source, GeodesicField& field, Accept accept, Stop stop) const;
-  void propagate(int v, GeodesicField& field, const std::vector<char>& done, Front& front) const;
+  void propagate(int v,
+                 GeodesicField& field,
+                 const std::vector<char>& done,
+                 BucketQueue& front) const;
 };
 
 void FastMarching::Graph::propagate(int v,
                                     GeodesicField& field,
                                     const std::vector<char>& done,
-                                    Front& front) const {
+                                    BucketQueue& front) const {
   const double da = field.distance[v];
   for (int i = first_wedge[v]; i < first_wedge[v + 1]; ++i) {
     const Wedge& w = wedges[i];
@@ -116,26 +107,23 @@ void FastMarching::Graph::run(int source, GeodesicField& field, Accept accept, S
   field.predecessor.assign(n, -1);
   field.order.clear();
   std::vector<char> done(n, 0);
-  Front front;
+  BucketQueue front;
+  front.start(ring);
   field.distance[source] = 0;
   front.push(0, source);
-  while (!front.empty() && !stop()) {
-    const QueueEntry top = front.pop();
-    if (done[top.vertex]) continue;
-    if (!accept(top.vertex, top.distance)) {
+  int v;
+  while (!stop() && (v = front.pop(field.distance)) >= 0) {
+    if (!accept(v, field.distance[v])) {
       // Not passed on: its neighbours must not lean on it either.
-      field.distance[top.vertex] = -1;
+      field.distance[v] = -1;
       continue;
     }
-    done[top.vertex] = 1;
-    field.order.push_back(top.vertex);
-    propagate(top.vertex, field, done, front);
+    done[v] = 1;
+    field.order.push_back(v);
+    propagate(v, field, done, front);
   }
   // What the front touched but did not reach is no distance yet.
-  while (!front.empty()) {
-    const QueueEntry rest = front.pop();
-    if (!done[rest.vertex]) field.distance[rest.vertex] = INFINITE;
-  }
+  while ((v = front.pop(field.distance)) >= 0) field.distance[v] = INFINITE;
 }
 
 FastMarching::FastMarching(const TriangleMesh& mesh) {
@@ -162,6 +150,7 @@ FastMarching::FastMarching(const TriangleMesh& mesh) {
     add(t.left, t.apex, t.right, t.base, t.x, t.y);
     add(t.right, t.apex, t.left, t.base, t.base - t.x, t.y);
   }
+  graph->ring = bucketRing(graph->wedges, mesh.vertices);
   graph_ = std::move(graph);
 }
 

@@ -19,7 +19,8 @@ struct GeodesicField {
 /// Geodesic distances on triangle meshes by fast marching (Kimmel and Sethian 1998), with obtuse
 /// corners split by unfolding their neighbours and fronts propagated as circles around a virtual
 /// source (Novotni and Klein 2002), which is exact in the plane. Any triangle soup will do:
-/// non-manifold edges carry the front on all their sides. O(n log n) a source.
+/// non-manifold edges carry the front on all their sides. O(n) a source; on a mesh so uneven that
+/// most vertices lie within a small part of its extent, or of its longest edge, up to O(n log n).
 ///
 /// const members may be called from several threads, each with a field of its own.
 class FastMarching {
