@@ -201,6 +201,57 @@ TEST(FastMarching, knowsNoUnit) {
   }
 }
 
+TEST(FastMarching, takesAFieldThatWasMarchedBefore) {
+  const TriangleMesh sphere = test::sphere(3), strip = test::bentStrip(40, 8, 4, 1, 4.0);
+  const FastMarching on_sphere(sphere), on_strip(strip);
+  std::vector<double> cells(on_sphere.vertexCount(), 0.5);
+  std::vector<int> nearest(on_sphere.vertexCount(), -1);
+  GeodesicField again;
+  const auto expectAsNew = [&](const FastMarching& marching, int source) {
+    GeodesicField fresh;
+    marching.march(source, fresh);
+    marching.march(source, again);
+    EXPECT_EQ(again.distance, fresh.distance);
+    EXPECT_EQ(again.predecessor, fresh.predecessor);
+    EXPECT_EQ(again.order, fresh.order);
+  };
+  expectAsNew(on_sphere, 5);
+  expectAsNew(on_sphere, 600);
+  expectAsNew(on_strip, 0);
+  expectAsNew(on_sphere, 5);
+  GeodesicField until;
+  on_sphere.marchUntil(7, {12, 100}, until);
+  for (int i = 0; i < 2; ++i) {
+    on_sphere.marchUntil(7, {12, 100}, again);
+    EXPECT_EQ(again.distance, until.distance);
+  }
+  expectAsNew(on_sphere, 7);
+  on_sphere.marchWithin(9, 1, cells, nearest, again);
+  expectAsNew(on_sphere, 9);
+}
+
+TEST(FastMarching, keepsToTheCell) {
+  const TriangleMesh sphere = test::sphere(4);
+  const FastMarching marching(sphere);
+  GeodesicField first, cell;
+  marching.march(0, first);
+  std::vector<double> distance = first.distance;
+  std::vector<int> nearest(marching.vertexCount(), 0);
+  marching.marchWithin(100, 1, distance, nearest, cell);
+  std::size_t count = 0;
+  for (int v = 0; v < marching.vertexCount(); ++v) {
+    EXPECT_LE(distance[v], first.distance[v]);
+    EXPECT_EQ(nearest[v] == 1, distance[v] < first.distance[v]);
+    EXPECT_EQ(cell.distance[v],
+              nearest[v] == 1 ? distance[v] : std::numeric_limits<double>::infinity());
+    EXPECT_TRUE(nearest[v] == 1 || cell.predecessor[v] == -1);
+    count += nearest[v] == 1;
+  }
+  EXPECT_EQ(cell.order.size(), count);
+  EXPECT_GT(count, 100);
+  EXPECT_LT(count, marching.vertexCount() - 100);
+}
+
 TEST(FastMarching, stopsAtItsGoalsWithTheSameDistances) {
   const TriangleMesh sphere = test::sphere(4);
   const FastMarching marching(sphere);

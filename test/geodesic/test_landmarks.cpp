@@ -7,6 +7,7 @@
 
 #include "support/shapes.h"
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace posture {
@@ -35,6 +36,37 @@ TEST(VoronoiSamples, coverTheSurfaceAndKeepApart) {
         *std::max_element(nearest.begin(), nearest.end()), landmarks.covering_radius, slack);
     EXPECT_GE(closest_pair, landmarks.covering_radius - slack);
   }
+}
+
+TEST(VoronoiSamples, areTheFarthestVerticesTheFirstOfSeveral) {
+  // Two grids, full of equal distances, and a vertex in no face.
+  TriangleMesh mesh = test::grid(24, 24, 1, 1);
+  const int n = static_cast<int>(mesh.vertices.rows());
+  const Points shifted = mesh.vertices.rowwise() + Eigen::RowVector3d(0, 0, 1);
+  const Faces more = mesh.faces.array() + n + 1;
+  mesh.vertices.conservativeResize(2 * n + 1, 3);
+  mesh.vertices.row(n) << 9, 9, 9;
+  mesh.vertices.bottomRows(n) = shifted;
+  mesh.faces.conservativeResize(2 * more.rows(), 3);
+  mesh.faces.bottomRows(more.rows()) = more;
+
+  const FastMarching marching(mesh);
+  const Landmarks landmarks = voronoiSamples(mesh, marching, 200);
+  ASSERT_EQ(landmarks.vertices.size(), 200);
+  std::vector<double> distance(2 * n + 1, std::numeric_limits<double>::infinity());
+  std::vector<int> nearest(2 * n + 1, -1);
+  GeodesicField field;
+  for (int i = 0; i < 200; ++i) {
+    marching.marchWithin(landmarks.vertices[i], i, distance, nearest, field);
+    distance[n] = -1;
+    const auto farthest = std::max_element(distance.begin(), distance.end());
+    if (i + 1 < 200) {
+      ASSERT_EQ(landmarks.vertices[i + 1], farthest - distance.begin());
+    } else {
+      EXPECT_EQ(landmarks.covering_radius, *farthest);
+    }
+  }
+  EXPECT_EQ(landmarks.nearest, nearest);
 }
 
 TEST(VoronoiSamples, stopAtTheResolutionOfTheMesh) {

@@ -62,6 +62,20 @@ BucketRing bucketRing(const std::vector<Wedge>& wedges, const Points& vertices) 
 
 }  // namespace
 
+/// What a march needs. Between two of them `done` is set in `order` alone, `is_goal` nowhere, the
+/// front is empty.
+struct GeodesicField::Workspace {
+  BucketQueue front;
+  std::vector<char> done;
+  std::vector<char> is_goal;
+  std::vector<int> refused;  // where the front did not go on
+};
+
+GeodesicField::GeodesicField() = default;
+GeodesicField::~GeodesicField() = default;
+GeodesicField::GeodesicField(GeodesicField&&) noexcept = default;
+GeodesicField& GeodesicField::operator=(GeodesicField&&) noexcept = default;
+
 struct FastMarching::Graph {
   std::vector<int> first_wedge;  // n + 1 offsets into wedges, by the vertex the front comes from
   std::vector<Wedge> wedges;
@@ -72,20 +86,37 @@ struct FastMarching::Graph {
     require(v >= 0 && v < vertexCount(), "FastMarching: no vertex " + std::to_string(v));
   }
 
+  /// Makes the field one that no front has touched, at the cost of what the last one reached.
+  GeodesicField::Workspace& clear(GeodesicField& field) const;
   /// Runs the front from `source`; `accept(vertex, distance)` says whether the front goes on there,
-  /// `stop()` whether all is done.
+  /// `stop()` whether all is done. The field must be clear.
   template <class Accept, class Stop>
   void run(int source, GeodesicField& field, Accept accept, Stop stop) const;
-  void propagate(int v,
-                 GeodesicField& field,
-                 const std::vector<char>& done,
-                 BucketQueue& front) const;
+  void propagate(int v, GeodesicField& field) const;
 };
 
-void FastMarching::Graph::propagate(int v,
-                                    GeodesicField& field,
-                                    const std::vector<char>& done,
-                                    BucketQueue& front) const {
+GeodesicField::Workspace& FastMarching::Graph::clear(GeodesicField& field) const {
+  if (!field.workspace_) field.workspace_ = std::make_unique<GeodesicField::Workspace>();
+  GeodesicField::Workspace& work = *field.workspace_;
+  const std::size_t n = vertexCount();
+  if (field.distance.size() == n && field.predecessor.size() == n && work.done.size() == n) {
+    for (int v : field.order) {
+      field.distance[v] = INFINITE;
+      field.predecessor[v] = -1;
+      work.done[v] = 0;
+    }
+  } else {
+    field.distance.assign(n, INFINITE);
+    field.predecessor.assign(n, -1);
+    work.done.assign(n, 0);
+    work.is_goal.assign(n, 0);
+  }
+  field.order.clear();
+  return work;
+}
+
+void FastMarching::Graph::propagate(int v, GeodesicField& field) const {
+  const std::vector<char>& done = field.workspace_->done;
   const double da = field.distance[v];
   for (int i = first_wedge[v]; i < first_wedge[v + 1]; ++i) {
     const Wedge& w = wedges[i];
@@ -95,35 +126,37 @@ void FastMarching::Graph::propagate(int v,
     if (reached.distance < field.distance[w.target]) {
       field.distance[w.target] = reached.distance;
       field.predecessor[w.target] = reached.through_other ? w.other : v;
-      front.push(reached.distance, w.target);
+      field.workspace_->front.push(reached.distance, w.target);
     }
   }
 }
 
 template <class Accept, class Stop>
 void FastMarching::Graph::run(int source, GeodesicField& field, Accept accept, Stop stop) const {
-  const int n = vertexCount();
-  field.distance.assign(n, INFINITE);
-  field.predecessor.assign(n, -1);
-  field.order.clear();
-  std::vector<char> done(n, 0);
-  BucketQueue front;
-  front.start(ring);
+  GeodesicField::Workspace& work = *field.workspace_;
+  work.front.start(ring);
   field.distance[source] = 0;
-  front.push(0, source);
+  work.front.push(0, source);
   int v;
-  while (!stop() && (v = front.pop(field.distance)) >= 0) {
+  while (!stop() && (v = work.front.pop(field.distance)) >= 0) {
     if (!accept(v, field.distance[v])) {
       // Not passed on: its neighbours must not lean on it either.
       field.distance[v] = -1;
+      work.refused.push_back(v);
       continue;
     }
-    done[v] = 1;
+    work.done[v] = 1;
     field.order.push_back(v);
-    propagate(v, field, done, front);
+    propagate(v, field);
   }
   // What the front touched but did not reach is no distance yet.
-  while ((v = front.pop(field.distance)) >= 0) field.distance[v] = INFINITE;
+  const auto forget = [&](int touched) {
+    field.distance[touched] = INFINITE;
+    field.predecessor[touched] = -1;
+  };
+  while ((v = work.front.pop(field.distance)) >= 0) forget(v);
+  for (int refused : work.refused) forget(refused);
+  work.refused.clear();
 }
 
 FastMarching::FastMarching(const TriangleMesh& mesh) {
@@ -162,6 +195,7 @@ int FastMarching::vertexCount() const { return graph_->vertexCount(); }
 
 void FastMarching::march(int source, GeodesicField& field) const {
   graph_->checkVertex(source);
+  graph_->clear(field);
   graph_->run(
       source, field, [](int, double) { return true; }, [] { return false; });
 }
@@ -170,10 +204,10 @@ void FastMarching::marchUntil(int source,
                               const std::vector<int>& goals,
                               GeodesicField& field) const {
   graph_->checkVertex(source);
-  std::vector<char> is_goal(vertexCount(), 0);
+  for (int goal : goals) graph_->checkVertex(goal);
+  std::vector<char>& is_goal = graph_->clear(field).is_goal;
   int open = 0;
   for (int goal : goals) {
-    graph_->checkVertex(goal);
     open += !is_goal[goal];
     is_goal[goal] = 1;
   }
@@ -185,14 +219,16 @@ void FastMarching::marchUntil(int source,
         return true;
       },
       [&] { return open == 0; });
+  for (int goal : goals) is_goal[goal] = 0;
 }
 
 void FastMarching::marchWithin(int source,
                                int label,
                                std::vector<double>& distance,
-                               std::vector<int>& nearest) const {
+                               std::vector<int>& nearest,
+                               GeodesicField& field) const {
   graph_->checkVertex(source);
-  GeodesicField field;
+  graph_->clear(field);
   graph_->run(
       source,
       field,

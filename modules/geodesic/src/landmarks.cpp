@@ -25,6 +25,41 @@ int farthestFromCentroid(const TriangleMesh& mesh, const std::vector<int>& face_
   return farthest;
 }
 
+/// Finds the vertex with the greatest distance, the first of several, while distances fall: an
+/// entry of the heap is brought up to date when it comes to the top.
+class FarthestVertex {
+ public:
+  /// Of the vertices in a face.
+  FarthestVertex(const std::vector<double>& distance, const std::vector<int>& face_of)
+      : distance_(distance) {
+    for (int v = 0; v < static_cast<int>(distance.size()); ++v)
+      if (face_of[v] >= 0) heap_.push_back({distance[v], v});
+    std::make_heap(heap_.begin(), heap_.end());
+  }
+
+  int find() {
+    while (heap_.front().distance != distance_[heap_.front().vertex]) {
+      std::pop_heap(heap_.begin(), heap_.end());
+      heap_.back().distance = distance_[heap_.back().vertex];
+      std::push_heap(heap_.begin(), heap_.end());
+    }
+    return heap_.front().vertex;
+  }
+
+ private:
+  struct Entry {
+    double distance;
+    int vertex;
+
+    bool operator<(const Entry& that) const {
+      return distance != that.distance ? distance < that.distance : vertex > that.vertex;
+    }
+  };
+
+  const std::vector<double>& distance_;
+  std::vector<Entry> heap_;
+};
+
 /// For each vertex, the vertices it is joined to by a boundary edge.
 class BoundaryEdges {
  public:
@@ -66,19 +101,20 @@ Landmarks voronoiSamples(const TriangleMesh& mesh, const FastMarching& marching,
   Landmarks landmarks;
   landmarks.nearest.assign(n, -1);
   std::vector<double> distance(n, std::numeric_limits<double>::infinity());
-  int next = farthestFromCentroid(mesh, face_of);
-  while (true) {
+  GeodesicField field;
+  const auto add = [&](int v) {
     const int label = static_cast<int>(landmarks.vertices.size());
-    landmarks.vertices.push_back(next);
-    marching.marchWithin(next, label, distance, landmarks.nearest);
-    double farthest = -1;
-    for (int v = 0; v < n; ++v)
-      if (face_of[v] >= 0 && distance[v] > farthest) {
-        farthest = distance[v];
-        next = v;
-      }
-    landmarks.covering_radius = farthest;
-    if (farthest <= spacing || label + 1 >= most) return landmarks;
+    landmarks.vertices.push_back(v);
+    marching.marchWithin(v, label, distance, landmarks.nearest, field);
+  };
+  add(farthestFromCentroid(mesh, face_of));
+  FarthestVertex farthest(distance, face_of);
+  while (true) {
+    const int next = farthest.find();
+    landmarks.covering_radius = distance[next];
+    if (distance[next] <= spacing || static_cast<int>(landmarks.vertices.size()) >= most)
+      return landmarks;
+    add(next);
   }
 }
 

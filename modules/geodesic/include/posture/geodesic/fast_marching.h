@@ -9,11 +9,23 @@
 
 namespace posture {
 
-/// The distances from one source over a mesh, and the way each of them came.
+/// The distances from one source over a mesh, and the way each of them came. A field that was
+/// marched before, and not written to since, may be marched again: that saves its allocations and
+/// costs only what the two fronts reach.
 struct GeodesicField {
+  GeodesicField();
+  ~GeodesicField();
+  GeodesicField(GeodesicField&&) noexcept;
+  GeodesicField& operator=(GeodesicField&&) noexcept;
+
   std::vector<double> distance;  ///< n, in mesh units; infinity where not reached
   std::vector<int> predecessor;  ///< n: the neighbour the front came through; -1 at the source
   std::vector<int> order;        ///< vertices reached, by increasing distance
+
+ private:
+  friend class FastMarching;
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
 };
 
 /// Geodesic distances on triangle meshes by fast marching (Kimmel and Sethian 1998), with obtuse
@@ -30,8 +42,7 @@ class FastMarching {
   FastMarching(FastMarching&&) noexcept;
   FastMarching& operator=(FastMarching&&) noexcept;
 
-  /// Distances to every vertex. `field` is overwritten; handing in the same one again saves
-  /// allocations.
+  /// Distances to every vertex.
   /// \throws std::invalid_argument  no such vertex.
   void march(int source, GeodesicField& field) const;
 
@@ -40,11 +51,12 @@ class FastMarching {
 
   /// Lowers `distance` (n, infinity where nothing was reached so far) to the distance from `source`
   /// wherever that is less; `nearest` (n) becomes `label` there. The front does not leave the
-  /// source's Voronoi cell.
+  /// source's Voronoi cell; `field` has that cell.
   void marchWithin(int source,
                    int label,
                    std::vector<double>& distance,
-                   std::vector<int>& nearest) const;
+                   std::vector<int>& nearest,
+                   GeodesicField& field) const;
 
   int vertexCount() const;
 
