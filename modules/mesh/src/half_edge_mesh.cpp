@@ -6,6 +6,7 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -135,6 +136,36 @@ void HalfEdgeMesh::collapse(int from, int into) {
   survivors.insert(survivors.end(), moved.begin(), moved.end());
   for (int g : survivors)
     if (isLive(g)) resetOutgoing(origin_[g], g);
+}
+
+bool HalfEdgeMesh::canFlip(int h) const {
+  const int t = twin_[h];
+  if (t < 0) return false;
+  const int c = origin_[previous(h)], d = origin_[previous(t)];
+  if (c == d || find(c, d) >= 0 || find(d, c) >= 0) return false;
+  for (int end : {origin_[h], origin_[t]})
+    if (neighbors(end).size() <= (isBoundaryVertex(end) ? 2u : 3u)) return false;
+  return true;
+}
+
+void HalfEdgeMesh::flip(int h) {
+  const int t = twin_[h];
+  const int a = origin_[h], b = origin_[t], c = origin_[previous(h)], d = origin_[previous(t)];
+  const int bc = twin_[next(h)], ca = twin_[previous(h)];
+  const int ad = twin_[next(t)], db = twin_[previous(t)];
+  const auto set =
+      [&](int first, const std::array<int, 3>& corners, const std::array<int, 3>& twins) {
+        int g = first;
+        for (int k = 0; k < 3; ++k, g = next(g)) {
+          origin_[g] = corners[k];
+          twin_[g] = twins[k];
+          if (twins[k] >= 0) twin_[twins[k]] = g;
+        }
+      };
+  // h becomes d -> c and t becomes c -> d.
+  set(h, {d, c, a}, {t, ca, ad});
+  set(t, {c, d, b}, {h, db, bc});
+  for (int g : {h, next(h), previous(h), t, next(t), previous(t)}) resetOutgoing(origin_[g], g);
 }
 
 void HalfEdgeMesh::removeFace(int h) {

@@ -53,6 +53,14 @@ class HalfEdgeMesh {
   /// \pre canCollapse(from, into)
   void collapse(int from, int into);
 
+  /// Whether the edge of h has two faces and turning it keeps a manifold: its new ends are not
+  /// joined yet, and its old ones keep a closed fan.
+  bool canFlip(int h) const;
+
+  /// Turns the edge of h: of the quadrilateral of its two faces, it then joins the other two
+  /// corners. \pre canFlip(h)
+  void flip(int h);
+
   /// The live faces, in the numbering of the vertices given.
   Faces faces() const;
 

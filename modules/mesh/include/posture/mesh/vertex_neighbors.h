@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/core/types.h>
+
+#include <vector>
+
+namespace posture {
+
+/// For each vertex of any mesh those it is joined to by an edge, in increasing order.
+class VertexNeighbors {
+ public:
+  VertexNeighbors(const Faces& faces, int vertex_count);
+
+  const int* begin(int v) const { return neighbors_.data() + first_[v]; }
+  const int* end(int v) const { return neighbors_.data() + first_[v + 1]; }
+
+ private:
+  std::vector<int> first_;  // n + 1
+  std::vector<int> neighbors_;
+};
+
+/// n, non-zero for the ends of edges with a single face.
+std::vector<char> boundaryVertices(const Faces& faces, int vertex_count);
+
+}  // namespace posture

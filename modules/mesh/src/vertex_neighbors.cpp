@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/edges.h>
+#include <posture/mesh/vertex_neighbors.h>
+
+namespace posture {
+
+VertexNeighbors::VertexNeighbors(const Faces& faces, int vertex_count)
+    : first_(vertex_count + 1, 0) {
+  const std::vector<Edge> edges = meshEdges(faces);
+  for (const Edge& e : edges) {
+    ++first_[e.first + 1];
+    ++first_[e.second + 1];
+  }
+  for (int v = 0; v < vertex_count; ++v) first_[v + 1] += first_[v];
+  neighbors_.resize(2 * edges.size());
+  std::vector<int> next(first_.begin(), first_.end() - 1);
+  // Sorted edges give each vertex first its lower neighbours, then its higher ones, in order.
+  for (const Edge& e : edges) neighbors_[next[e.second]++] = e.first;
+  for (const Edge& e : edges) neighbors_[next[e.first]++] = e.second;
+}
+
+std::vector<char> boundaryVertices(const Faces& faces, int vertex_count) {
+  std::vector<char> on_boundary(vertex_count, 0);
+  for (const Edge& e : meshEdges(faces))
+    if (e.faces == 1) on_boundary[e.first] = on_boundary[e.second] = 1;
+  return on_boundary;
+}
+
+}  // namespace posture
