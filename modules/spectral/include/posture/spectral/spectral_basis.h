@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/spectral/laplacian.h>
+
+namespace posture {
+
+/// The smoothest functions on a surface: eigenfunctions of its Laplacian.
+struct SpectralBasis {
+  Matrix functions;    ///< n x k, orthonormal with respect to the mass; signs arbitrary
+  Vector eigenvalues;  ///< k, increasing, the first 0; in 1 / squared mesh units
+};
+
+/// \param count  how many functions; fewer come back on a mesh with hardly more vertices.
+/// \throws std::runtime_error  the eigenvalues do not converge.
+SpectralBasis spectralBasis(const Laplacian& laplacian, int count);
+
+}  // namespace posture
