@@ -52,16 +52,20 @@ Eigen::RowVector3d project(const Points& landmarks,
 
 }  // namespace
 
-CanonicalForm computeCanonicalForm(const Landmarks& samples) {
-  const int s = static_cast<int>(samples.vertices.size());
-  const int n = static_cast<int>(samples.distances.cols());
-  require(s > 3, "computeCanonicalForm: needs more than three samples");
+CanonicalForm embedSamples(const Landmarks& samples) {
+  require(samples.vertices.size() > 3, "embedSamples: needs more than three samples");
   CanonicalForm form;
   const Matrix distances = sampleDistances(samples);
   form.landmarks = leastSquaresScaling(distances, samples.confidence, classicalScaling(distances));
   form.stress = normalizedStress(distances, samples.confidence, form.landmarks);
   form.eigenvalues = toPrincipalFrame(form.landmarks);
+  return form;
+}
 
+CanonicalForm computeCanonicalForm(const Landmarks& samples) {
+  const int s = static_cast<int>(samples.vertices.size());
+  const int n = static_cast<int>(samples.distances.cols());
+  CanonicalForm form = embedSamples(samples);
   form.vertices.resize(n, 3);
   std::vector<int> sample_of(n, -1);
   for (int i = 0; i < s; ++i) sample_of[samples.vertices[i]] = i;

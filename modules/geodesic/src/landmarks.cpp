@@ -94,10 +94,16 @@ void pathConfidence(const GeodesicField& field,
 }  // namespace
 
 Landmarks voronoiSamples(const TriangleMesh& mesh, const FastMarching& marching, int most) {
+  return voronoiSamples(mesh, marching, most, meanEdgeLength(mesh));
+}
+
+Landmarks voronoiSamples(const TriangleMesh& mesh,
+                         const FastMarching& marching,
+                         int most,
+                         double spacing) {
   require(mesh.faces.rows() > 0, "voronoiSamples: the mesh has no faces");
   const int n = static_cast<int>(mesh.vertices.rows());
   const std::vector<int> face_of = vertexFaces(mesh.faces, n);
-  const double spacing = meanEdgeLength(mesh);
   Landmarks landmarks;
   landmarks.nearest.assign(n, -1);
   std::vector<double> distance(n, std::numeric_limits<double>::infinity());
@@ -118,8 +124,8 @@ Landmarks voronoiSamples(const TriangleMesh& mesh, const FastMarching& marching,
   }
 }
 
-Landmarks computeLandmarks(const TriangleMesh& mesh, const FastMarching& marching) {
-  Landmarks landmarks = voronoiSamples(mesh, marching);
+Landmarks computeLandmarks(const TriangleMesh& mesh, const FastMarching& marching, int most) {
+  Landmarks landmarks = voronoiSamples(mesh, marching, most);
   const int s = static_cast<int>(landmarks.vertices.size());
   const int n = static_cast<int>(mesh.vertices.rows());
   landmarks.distances.resize(s, n);

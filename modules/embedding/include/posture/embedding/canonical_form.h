@@ -17,6 +17,9 @@ struct CanonicalForm {
   double stress = 0;            ///< sqrt(sum w (d - delta)^2 / sum w delta^2)
 };
 
+/// Section 4.1 on the samples alone: `vertices` stays empty.
+CanonicalForm embedSamples(const Landmarks& landmarks);
+
 /// Section 4.1 on the samples, and every other vertex projected into their embedding.
 CanonicalForm computeCanonicalForm(const Landmarks& landmarks);
 

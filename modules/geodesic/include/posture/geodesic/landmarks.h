@@ -25,10 +25,17 @@ struct Landmarks {
 /// Fills `vertices`, `nearest` and `covering_radius` only.
 Landmarks voronoiSamples(const TriangleMesh& mesh, const FastMarching& marching, int most = 1000);
 
+/// As above, but ends at a covering radius of `spacing`, in mesh units; 0: at `most` samples or
+/// when every vertex is one.
+Landmarks voronoiSamples(const TriangleMesh& mesh,
+                         const FastMarching& marching,
+                         int most,
+                         double spacing);
+
 /// As voronoiSamples, with all distances and the confidence of the path between each two samples,
 /// w = 1 - m_h / m: of the m edges of the path, m_h lie on the boundary of the surface, where the
 /// path had to go round a hole.
-Landmarks computeLandmarks(const TriangleMesh& mesh, const FastMarching& marching);
+Landmarks computeLandmarks(const TriangleMesh& mesh, const FastMarching& marching, int most = 1000);
 
 /// Symmetric s x s distances between the samples: the mean of both directions.
 Matrix sampleDistances(const Landmarks& landmarks);
