@@ -146,9 +146,14 @@ Faces collapseToVertices(const TriangleMesh& mesh, const std::vector<char>& keep
           "collapseToVertices: one flag a vertex");
   const ManifoldMesh manifold = cutNonManifold(mesh);
   Faces faces = Collapser(manifold, keep).run();
-  for (int i = 0; i < faces.size(); ++i)
-    faces.data()[i] = manifold.original_vertex[faces.data()[i]];
-  return faces;
+  // Copies of one vertex may have come to be corners of one face.
+  int count = 0;
+  for (int f = 0; f < faces.rows(); ++f) {
+    const int a = manifold.original_vertex[faces(f, 0)], b = manifold.original_vertex[faces(f, 1)],
+              c = manifold.original_vertex[faces(f, 2)];
+    if (a != b && b != c && c != a) faces.row(count++) << a, b, c;
+  }
+  return faces.topRows(count);
 }
 
 }  // namespace posture

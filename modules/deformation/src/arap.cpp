@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/deformation/arap.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace posture {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Solver = Eigen::SimplicialLDLT<Sparse>;
+
+Eigen::Matrix3d rotationBySvd(const Eigen::Matrix3d& m) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d u = svd.matrixU();
+  if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) *= -1;
+  return u * svd.matrixV().transpose();
+}
+
+/// The rotation nearest to a matrix: Newton's iteration for the polar factor (Higham 1986), scaled
+/// to converge in a few steps; by singular values where the matrix is nearly singular or mirrors.
+Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& m) {
+  constexpr int MAX_STEPS = 12;
+  constexpr double SINGULAR = 1e-4, CONVERGED = 1e-12;
+  const double norm = m.norm();
+  if (!(m.determinant() > SINGULAR * norm * norm * norm)) return rotationBySvd(m);
+  Eigen::Matrix3d r = m / norm;
+  for (int step = 0; step < MAX_STEPS; ++step) {
+    const Eigen::Matrix3d inverse = r.inverse().transpose();
+    const double scale = std::sqrt(inverse.norm() / r.norm());
+    const Eigen::Matrix3d next = 0.5 * (scale * r + inverse / scale);
+    const double moved = (next - r).squaredNorm();
+    r = next;
+    if (moved < CONVERGED) return r;
+  }
+  return rotationBySvd(m);
+}
+
+}  // namespace
+
+struct Arap::Impl {
+  Points rest;
+  Sparse weights;  // n x n, graph Laplacian of the weights w_ij >= 0
+  Vector mass;
+
+  std::vector<Eigen::Matrix3d> rotations(const Points& p) const;
+  Points rigidPull(const std::vector<Eigen::Matrix3d>& r) const;
+  double energy(const Points& p, const std::vector<Eigen::Matrix3d>& r) const;
+};
+
+std::vector<Eigen::Matrix3d> Arap::Impl::rotations(const Points& p) const {
+  std::vector<Eigen::Matrix3d> r(p.rows());
+  for (int i = 0; i < p.rows(); ++i) {
+    Eigen::Matrix3d s = Eigen::Matrix3d::Zero();
+    for (Sparse::InnerIterator it(weights, i); it; ++it) {
+      const int j = static_cast<int>(it.row());
+      if (j != i) s -= it.value() * (p.row(i) - p.row(j)).transpose() * (rest.row(i) - rest.row(j));
+    }
+    r[i] = nearestRotation(s);
+  }
+  return r;
+}
+
+/// The right-hand side the rotated edges at rest make.
+Points Arap::Impl::rigidPull(const std::vector<Eigen::Matrix3d>& r) const {
+  Points b = Points::Zero(rest.rows(), 3);
+  for (int i = 0; i < rest.rows(); ++i)
+    for (Sparse::InnerIterator it(weights, i); it; ++it) {
+      const int j = static_cast<int>(it.row());
+      if (j != i)
+        b.row(i) -= 0.5 * it.value() *
+                    ((r[i] + r[j]) * (rest.row(i) - rest.row(j)).transpose()).transpose();
+    }
+  return b;
+}
+
+double Arap::Impl::energy(const Points& p, const std::vector<Eigen::Matrix3d>& r) const {
+  double sum = 0;
+  for (int i = 0; i < rest.rows(); ++i)
+    for (Sparse::InnerIterator it(weights, i); it; ++it) {
+      const int j = static_cast<int>(it.row());
+      if (j == i) continue;
+      const Eigen::Vector3d bent = (p.row(i) - p.row(j)).transpose();
+      const Eigen::Vector3d rigid = r[i] * (rest.row(i) - rest.row(j)).transpose();
+      sum -= 0.5 * it.value() * (bent - rigid).squaredNorm();
+    }
+  return sum / mass.sum();
+}
+
+Arap::Arap(const TriangleMesh& rest, const Laplacian& laplacian) {
+  const int n = static_cast<int>(rest.vertices.rows());
+  require(laplacian.mass.size() == n, "Arap: the Laplacian is of another mesh");
+  auto impl = std::make_unique<Impl>();
+  impl->rest = rest.vertices;
+  impl->mass = laplacian.mass;
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(laplacian.stiffness.nonZeros() + n);
+  for (int j = 0; j < n; ++j) {
+    entries.emplace_back(j, j, 0.0);
+    for (Sparse::InnerIterator it(laplacian.stiffness, j); it; ++it)
+      if (it.row() != j && it.value() < 0) {
+        entries.emplace_back(it.row(), j, it.value());
+        entries.emplace_back(j, j, -it.value());
+      }
+  }
+  impl->weights.resize(n, n);
+  impl->weights.setFromTriplets(entries.begin(), entries.end());
+  impl_ = std::move(impl);
+}
+
+Arap::~Arap() = default;
+Arap::Arap(Arap&&) noexcept = default;
+Arap& Arap::operator=(Arap&&) noexcept = default;
+
+std::vector<Eigen::Matrix3d> Arap::rotations(const Points& bent) const {
+  return impl_->rotations(bent);
+}
+
+struct Arap::Attraction::Impl {
+  Vector strength;
+  Solver solver;
+};
+
+Arap::Attraction::Attraction(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+Arap::Attraction::~Attraction() = default;
+Arap::Attraction::Attraction(Attraction&&) noexcept = default;
+Arap::Attraction& Arap::Attraction::operator=(Attraction&&) noexcept = default;
+
+Arap::Attraction Arap::attract(double softness, const Vector& confidence) const {
+  require(confidence.size() == 0 || confidence.size() == impl_->mass.size(),
+          "Arap: one confidence a vertex");
+  auto attraction = std::make_unique<Attraction::Impl>();
+  // A trace of every goal keeps parts that nothing pulls from being singular.
+  constexpr double TRACE = 1e-9;
+  attraction->strength = softness * impl_->mass;
+  if (confidence.size() > 0) attraction->strength.array() *= confidence.array().max(TRACE);
+  Sparse system = impl_->weights;
+  system.diagonal() += attraction->strength;
+  attraction->solver.compute(system);
+  if (attraction->solver.info() != Eigen::Success)
+    throw std::runtime_error("Arap: singular system");
+  return Attraction(std::move(attraction));
+}
+
+Arap::Result Arap::pull(const Points& start,
+                        const Points& goals,
+                        const Attraction& attraction,
+                        int iterations) const {
+  const auto n = impl_->rest.rows();
+  require(start.rows() == n && goals.rows() == n, "Arap: one place and one goal a vertex");
+  const Points pull = attraction.impl_->strength.asDiagonal() * goals;
+  Result result;
+  result.vertices = start;
+  std::vector<Eigen::Matrix3d> r = impl_->rotations(start);
+  for (int i = 0; i < iterations; ++i) {
+    result.vertices = attraction.impl_->solver.solve(impl_->rigidPull(r) + pull);
+    r = impl_->rotations(result.vertices);
+  }
+  result.energy = impl_->energy(result.vertices, r);
+  return result;
+}
+
+}  // namespace posture
