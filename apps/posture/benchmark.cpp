@@ -24,17 +24,19 @@ struct BenchmarkOptions {
   fs::path list;
   fs::path folder;
   std::vector<std::string> families, ids;
-  bool fresh = false;
+  bool fresh = false, paper = false;
   double time_limit = 900;  // seconds a pair
+
+  Method method() const { return paper ? Method::PAPER : Method::REFINED; }
 };
 
 /// The stored result of a pair; null where there is none, it is damaged or is of other inputs.
-Json storedResult(const fs::path& path, const BenchmarkPair& pair) {
+Json storedResult(const fs::path& path, const BenchmarkPair& pair, Method method) {
   std::ifstream file(path);
   Json json = Json::parse(file, nullptr, false);
   if (!json.is_object() || !json.contains("status")) return nullptr;
-  const Json described = describePair(pair);
-  for (const char* key : {"id", "source", "target", "truth", "mirror_truth"})
+  const Json described = describePair(pair, method);
+  for (const char* key : {"id", "method", "source", "target", "truth", "mirror_truth"})
     if (json.value(key, "") != described[key]) return nullptr;
   return json;
 }
@@ -106,13 +108,15 @@ Json runInChild(const BenchmarkPair& pair,
   fs::remove(result_file);
   std::vector<std::string> arguments{
       "benchmark-pair", options.list.string(), pair.id, result_file.string()};
+  if (options.paper) arguments.emplace_back("--paper");
   if (common.threads > 0)
     arguments.insert(arguments.end(), {"--threads", std::to_string(common.threads)});
   const ChildEnd end = runSelf(
       arguments, std::chrono::duration<double>(options.time_limit), [&] { progress.wait(); });
-  Json result = end.succeeded ? storedResult(result_file, pair) : Json();
+  Json result = end.succeeded ? storedResult(result_file, pair, options.method()) : Json();
   if (result.is_null()) {
-    result = failedPair(pair, "failed", end.succeeded ? "left no result" : end.reason);
+    result =
+        failedPair(pair, options.method(), "failed", end.succeeded ? "left no result" : end.reason);
     writeText(result_file, result.dump(1) + "\n");
   }
   return result;
@@ -135,7 +139,8 @@ void benchmark(const BenchmarkOptions& options, const Common& common) {
   Progress progress(common.quiet, asked);
   std::vector<Json> results;  // of the whole list, so that a part run again updates its lines
   for (const BenchmarkPair& pair : pairs) {
-    Json result = storedResult(options.folder / "pairs" / (pair.id + ".json"), pair);
+    Json result =
+        storedResult(options.folder / "pairs" / (pair.id + ".json"), pair, options.method());
     if (isAsked(pair, options)) {
       progress.begin(pair.id);
       if (options.fresh || result.is_null()) {
@@ -161,12 +166,16 @@ void benchmark(const BenchmarkOptions& options, const Common& common) {
 struct ChildOptions {
   fs::path list, result;
   std::string id;
+  bool paper = false;
 };
 
 void benchmarkPair(const ChildOptions& options) {
   endWithParent();
   for (const BenchmarkPair& pair : readPairList(options.list))
-    if (pair.id == options.id) return writeText(options.result, runPair(pair).dump(1) + "\n");
+    if (pair.id == options.id) {
+      const Json result = runPair(pair, options.paper ? Method::PAPER : Method::REFINED);
+      return writeText(options.result, result.dump(1) + "\n");
+    }
   throw InputError(options.list.string() + ": has no pair '" + options.id + "'");
 }
 
@@ -180,6 +189,7 @@ void addBenchmark(CLI::App& app, Common& common) {
   verb->add_option("-o,--output", options->folder, "Folder for the results")->required();
   verb->add_option("--family", options->families, "Only pairs of this family (repeatable)");
   verb->add_option("--pair", options->ids, "Only the pair of this id (repeatable)");
+  verb->add_flag("--paper", options->paper, "Register as published, as `register --paper` does");
   verb->add_flag("--fresh", options->fresh, "Run again what already has a result");
   verb->add_option("--time-limit", options->time_limit, "Seconds after which a pair has failed")
       ->check(CLI::PositiveNumber)
@@ -191,6 +201,7 @@ void addBenchmark(CLI::App& app, Common& common) {
   hidden->add_option("PAIRS", child->list)->required();
   hidden->add_option("ID", child->id)->required();
   hidden->add_option("RESULT", child->result)->required();
+  hidden->add_flag("--paper", child->paper);
   hidden->callback([child] { benchmarkPair(*child); });
 }
 

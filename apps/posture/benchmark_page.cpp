@@ -32,48 +32,60 @@ std::string familyTable(const Json& families) {
     rows.push_back({text(f, "family"),
                     std::to_string(f.value("pairs", 0)),
                     std::to_string(f.value("failed", 0)),
+                    formatFixed(numberAt(f, "/mean_mean_x100"), 2),
                     formatFixed(numberAt(f, "/median_mean_x100"), 2),
+                    formatFixed(numberAt(f, "/largest_mean_x100"), 2),
+                    formatFixed(numberAt(f, "/mean_subvertex_x100"), 2),
+                    countOf(f, "chose_wrong", "compared"),
                     formatFixed(numberAt(f, "/median_best_x100"), 2),
                     formatFixed(numberAt(f, "/largest_best_x100"), 2),
-                    countOf(f, "chose_wrong", "compared"),
-                    formatFixed(numberAt(f, "/median_paper_x100"), 2),
-                    countOf(f, "paper_chose_wrong", "compared"),
                     countOf(f, "wrong_side", "mirror_known"),
                     percent(numberAt(f, "/mean_share_accepted")),
                     percent(numberAt(f, "/median_share_within_two_edges")),
                     formatFixed(numberAt(f, "/median_seconds"), 1),
+                    formatFixed(numberAt(f, "/largest_seconds"), 1),
                     formatFixed(numberAt(f, "/largest_memory_mib"), 0)});
   return toMarkdown({{"family",
                       "pairs",
                       "failed",
+                      "error, mean",
                       "error, median",
+                      "error, largest",
+                      "sub-vertex, mean",
+                      "chose wrong",
                       "best, median",
                       "best, largest",
-                      "chose wrong",
-                      "paper, median",
-                      "paper chose wrong",
                       "wrong side",
-                      "accepted",
+                      "mapped",
                       "within 2 edges",
                       "s, median",
+                      "s, largest",
                       "MiB, largest"},
                      rows}) +
-         "\nError: mean over a pair's accepted points of the geodesic distance on the target to "
-         "the "
-         "true vertex, divided by the square root of the target's area, times 100. Best: the same "
-         "for the best of the alignment candidates, on at most 1,000 evenly spread true pairs; a "
-         "candidate counts when it maps at least a quarter as many of them as the one that maps "
-         "most. Chose wrong: the chosen candidate's error on those pairs is more than 1.5 times "
-         "the "
-         "best one's and more than 2 above it. Paper: the candidate of least deformation E_D, as "
-         "published and as `register --paper` chooses, which does not look at orientation. Wrong "
-         "side: the map is nearer to the left-right "
-         "mirrored answer than to the true one, where both are known. Accepted: share of the "
-         "source's vertices with a counterpart. Within 2 edges: share of the accepted points at "
-         "most "
-         "two edges from the true vertex. Failed: not run (the input is not supported) or failed; "
-         "the reason is in the table of pairs. Seconds include reading the files; memory is the "
-         "peak of the process that registered the pair.\n";
+         "\nError of a pair: mean over its mapped points of the geodesic distance on the target "
+         "from the vertex found to the true vertex, divided by the square root of the target's "
+         "area, times 100; sub-vertex: from the place found in a face. Chose wrong: of the answers "
+         "the method compared, another one's error is less by more than 2 and by more than a "
+         "third. Best: the error of the best of these answers, on at most 1,000 evenly spread true "
+         "pairs (the refined method compares them on coarse meshes, so its final map is better); "
+         "an answer counts when it maps at least a quarter as many of them as the one that maps "
+         "most. Wrong side: the map is nearer to the left-right mirrored answer than to the true "
+         "one, where both are known. Mapped: share of the source's vertices with a counterpart. "
+         "Within 2 edges: share of the mapped points at most two edges from the true vertex. "
+         "Failed: not run (the input is not supported) or failed; the reason is in the table of "
+         "pairs. Seconds include reading the files; memory is the peak of the process that "
+         "registered the pair.\n";
+}
+
+std::string trustSection(const TrustCurve& trust) {
+  if (!trust.isKnown()) return {};
+  return "\n## Trust\n\nOver " + std::to_string(trust.good) + " good maps (error below 5) and " +
+         std::to_string(trust.bad) +
+         " bad ones (worse, or of unrelated shapes) the trust figure has an area under the ROC "
+         "curve of **" +
+         formatFixed(trust.area(), 3) + "**. At the threshold of the status, 0.5, " +
+         percent(trust.goodAbove(0.5)) + " of the good maps and " + percent(trust.badAbove(0.5)) +
+         " of the bad ones are called registered.\n\n![ROC of the trust figure](trust.svg)\n";
 }
 
 struct PaperRow {
@@ -147,13 +159,11 @@ std::string pairTable(const std::vector<Json>& results) {
                     formatFixed(numberAt(r, "/target_vertices"), 0),
                     formatFixed(numberAt(r, "/errors/mean_x100"), 2),
                     formatFixed(numberAt(r, "/errors/median_x100"), 2),
+                    formatFixed(numberAt(r, "/subvertex_mean_x100"), 2),
                     formatFixed(numberAt(r, "/candidates/chosen_mean_x100"), 2),
                     formatFixed(numberAt(r, "/candidates/best_mean_x100"), 2),
-                    formatFixed(numberAt(r, "/chosen"), 0),
-                    formatFixed(numberAt(r, "/candidates/best"), 0),
                     yesNo(r, "/candidates/chose_wrong"),
-                    formatFixed(numberAt(r, "/candidates/paper_choice"), 0),
-                    formatFixed(numberAt(r, "/candidates/paper_mean_x100"), 2),
+                    formatFixed(numberAt(r, "/trust"), 3),
                     yesNo(r, "/mirror/wrong_side"),
                     formatFixed(numberAt(r, "/accepted"), 0),
                     formatFixed(numberAt(r, "/rejected"), 0),
@@ -167,13 +177,11 @@ std::string pairTable(const std::vector<Json>& results) {
                       "target",
                       "error",
                       "median",
+                      "sub-vertex",
                       "chosen, sampled",
                       "best, sampled",
-                      "chosen",
-                      "best",
                       "chose wrong",
-                      "paper chose",
-                      "paper's, sampled",
+                      "trust",
                       "wrong side",
                       "accepted",
                       "rejected",
@@ -182,10 +190,10 @@ std::string pairTable(const std::vector<Json>& results) {
                       "MiB",
                       "message"},
                      rows}) +
-         "\nError and median are those of the whole map, to sub-vertex precision; \"sampled\" ones "
-         "those of the candidates, vertex to vertex, on at most 1,000 pairs. \"chosen\" and "
-         "\"best\" "
-         "are the candidates' numbers. Maps far from the truth on large meshes are measured on a "
+         "\nError and median are those of the whole map; \"sampled\" ones those of the answers "
+         "compared, on at most 1,000 pairs. Maps far from the truth on large meshes are measured "
+         "on "
+         "a "
          "part of the pairs: `measured_pairs` in results.json.\n";
 }
 
@@ -237,16 +245,20 @@ std::string stageTable(const Json& families) {
 
 std::string benchmarkPage(const std::vector<Json>& results,
                           const Json& families,
+                          const TrustCurve& trust,
                           std::size_t listed) {
   double threads = 0;
   for (const Json& r : results) threads = std::max(threads, r.value("threads", 0.0));
   std::string page = "# Benchmark\n\n" + std::to_string(results.size()) + " of the list's " +
                      std::to_string(listed) + " pairs, posture " POSTURE_VERSION;
   if (threads > 0) page += ", " + formatFixed(threads, 0) + " threads";
+  const bool paper = !results.empty() && results.front().value("method", "") == "paper";
+  page += paper ? ", the method as published" : ", the refined method";
   page += ".\n\n## Families\n\n" + familyTable(families);
   page +=
       "\n![Share of points with error below x](curves.svg)\n\n"
       "![Share of accepted points by error in edges](histogram.svg)\n";
+  page += trustSection(trust);
   page += "\n## The paper's own figures\n\n" + paperTable(families);
   page += "\n## Pairs\n\n" + pairTable(results);
   return page + fitTable(results) + stageTable(families);

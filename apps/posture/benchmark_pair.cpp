@@ -3,6 +3,7 @@
 #include "benchmark_pair.h"
 
 #include <posture/core/error.h>
+#include <posture/evaluation/statistics.h>
 #include <posture/evaluation/surface_fit.h>
 #include <posture/evaluation/truth.h>
 #include <posture/io/mesh_io.h>
@@ -42,21 +43,26 @@ std::pair<PairData, double> readPair(const BenchmarkPair& pair) {
   return {std::move(data), seconds};
 }
 
-/// The candidate that deformation alone would choose, as published.
-std::size_t leastDeformed(const RegistrationResult& result) {
-  const auto& all = result.hypotheses;
-  const auto least = std::min_element(
-      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.energy < b.energy; });
-  return static_cast<std::size_t>(least - all.begin());
+/// The answers that the method chose among.
+std::vector<std::vector<int>> answersOf(const RegistrationResult& result) {
+  std::vector<std::vector<int>> maps;
+  for (const HypothesisSummary& hypothesis : result.hypotheses)
+    maps.push_back(hypothesis.target_vertex);
+  for (const AlternativeSummary& alternative : result.alternatives)
+    maps.push_back(alternative.target_vertex);
+  return maps;
+}
+
+/// The places of a map at vertices, as the field measures it.
+std::vector<SurfacePoint> atVertices(std::vector<SurfacePoint> places) {
+  for (SurfacePoint& place : places) place.face = -1;
+  return places;
 }
 
 Json judgeCandidates(const TargetMetric& metric,
                      const PairData& data,
                      const RegistrationResult& result) {
-  std::vector<std::vector<int>> maps;
-  for (const HypothesisSummary& hypothesis : result.hypotheses)
-    maps.push_back(hypothesis.target_vertex);
-  const std::vector<CandidateError> errors = candidateErrors(metric, maps, data.truth);
+  const std::vector<CandidateError> errors = candidateErrors(metric, answersOf(result), data.truth);
   const int best = bestCandidate(errors);
   Json list = Json::array();
   for (const CandidateError& e : errors)
@@ -66,10 +72,6 @@ Json judgeCandidates(const TargetMetric& metric,
   json["best_mean_x100"] = 100 * errors[best].mean;
   json["chosen_mean_x100"] = 100 * errors[result.chosen].mean;
   json["chose_wrong"] = choseWrong(errors[result.chosen], errors[best]);
-  const std::size_t paper = leastDeformed(result);
-  json["paper_choice"] = paper;
-  json["paper_mean_x100"] = 100 * errors[paper].mean;
-  json["paper_chose_wrong"] = choseWrong(errors[paper], errors[best]);
   return json;
 }
 
@@ -77,7 +79,8 @@ void judge(const PairData& data, const RegistrationResult& result, Json& json) {
   const std::vector<SurfacePoint>& map = result.correspondence.on_target;
   if (!data.truth.empty()) {
     const TargetMetric metric(data.target);
-    json["errors"] = toJson(measureErrors(metric, map, data.truth));
+    json["errors"] = toJson(measureErrors(metric, atVertices(map), data.truth));
+    json["subvertex_mean_x100"] = 100 * mean(measureErrors(metric, map, data.truth).relative_error);
     json["candidates"] = judgeCandidates(metric, data, result);
     if (!data.mirror_truth.empty())
       json["mirror"] = toJson(compareWithMirror(metric, map, data.truth, data.mirror_truth));
@@ -90,19 +93,27 @@ void judge(const PairData& data, const RegistrationResult& result, Json& json) {
                  {"percentile_95_stretch", fit.percentile_95_stretch}};
 }
 
-Json registerAndJudge(const BenchmarkPair& pair, const PairData& data, double read_seconds) {
+Json registerAndJudge(const BenchmarkPair& pair,
+                      Method method,
+                      const PairData& data,
+                      double read_seconds) {
   const auto start = Clock::now();
-  const RegistrationResult result = registerShapes(data.source, data.target);
+  RegistrationOptions options;
+  options.method = method;
+  const RegistrationResult result = registerShapes(data.source, data.target, options);
   const double seconds = read_seconds + secondsSince(start);
   const double memory = peakMemoryMib();
 
   const auto& places = result.correspondence.on_target;
   const auto accepted = std::count_if(
       places.begin(), places.end(), [](const SurfacePoint& p) { return p.vertex >= 0; });
-  Json json = describePair(pair);
+  Json json = describePair(pair, method);
   json["status"] = result.status == Status::REGISTERED ? "registered" : "undecided";
   json["message"] = result.message;
-  if (result.chosen >= 0) json["consistency"] = result.hypotheses[result.chosen].consistency;
+  if (!result.hypotheses.empty())
+    json["consistency"] = result.hypotheses[result.chosen].consistency;
+  if (method == Method::REFINED) json["trust"] = result.trust;
+  if (!result.alternatives.empty()) json["score"] = result.score;
   json["source_vertices"] = data.source.vertices.rows();
   json["target_vertices"] = data.target.vertices.rows();
   json["samples"] = result.source.samples;
@@ -121,8 +132,9 @@ Json registerAndJudge(const BenchmarkPair& pair, const PairData& data, double re
 
 }  // namespace
 
-Json describePair(const BenchmarkPair& pair) {
+Json describePair(const BenchmarkPair& pair, Method method) {
   return {{"id", pair.id},
+          {"method", method == Method::PAPER ? "paper" : "refined"},
           {"family", pair.family},
           {"kind", pair.kind},
           {"source", pair.source.string()},
@@ -132,22 +144,26 @@ Json describePair(const BenchmarkPair& pair) {
           {"note", pair.note}};
 }
 
-Json failedPair(const BenchmarkPair& pair, const std::string& status, const std::string& message) {
-  Json json = describePair(pair);
+Json failedPair(const BenchmarkPair& pair,
+                Method method,
+                const std::string& status,
+                const std::string& message) {
+  Json json = describePair(pair, method);
   json["status"] = status;
   json["message"] = message;
   return json;
 }
 
-Json runPair(const BenchmarkPair& pair) {
+Json runPair(const BenchmarkPair& pair, Method method) {
   bool points_only = false;
   try {
     const auto [data, read_seconds] = readPair(pair);
     points_only = data.source.faces.rows() == 0 || data.target.faces.rows() == 0;
-    return registerAndJudge(pair, data, read_seconds);
+    return registerAndJudge(pair, method, data, read_seconds);
   } catch (const InputError& error) {
     return failedPair(
         pair,
+        method,
         "not run",
         (points_only ? "unsupported: points only: " : "") + std::string(error.what()));
   }

@@ -18,11 +18,13 @@ struct Column {
 constexpr Column COLUMNS[] = {{"id", "/id"},
                               {"family", "/family"},
                               {"kind", "/kind"},
+                              {"method", "/method"},
                               {"status", "/status"},
                               {"source_vertices", "/source_vertices"},
                               {"target_vertices", "/target_vertices"},
                               {"samples", "/samples"},
                               {"mean_x100", "/errors/mean_x100"},
+                              {"subvertex_mean_x100", "/subvertex_mean_x100"},
                               {"median_x100", "/errors/median_x100"},
                               {"percentile_95_x100", "/errors/percentile_95_x100"},
                               {"true_pairs", "/errors/true_pairs"},
@@ -36,9 +38,6 @@ constexpr Column COLUMNS[] = {{"id", "/id"},
                               {"chosen_sampled_mean_x100", "/candidates/chosen_mean_x100"},
                               {"best_sampled_mean_x100", "/candidates/best_mean_x100"},
                               {"chose_wrong", "/candidates/chose_wrong"},
-                              {"paper_choice", "/candidates/paper_choice"},
-                              {"paper_sampled_mean_x100", "/candidates/paper_mean_x100"},
-                              {"paper_chose_wrong", "/candidates/paper_chose_wrong"},
                               {"wrong_side", "/mirror/wrong_side"},
                               {"share_nearer_mirror", "/mirror/share_nearer_mirror"},
                               {"median_distance_edges", "/fit/median_distance"},
@@ -46,6 +45,8 @@ constexpr Column COLUMNS[] = {{"id", "/id"},
                               {"mean_stretch", "/fit/mean_stretch"},
                               {"percentile_95_stretch", "/fit/percentile_95_stretch"},
                               {"consistency", "/consistency"},
+                              {"trust", "/trust"},
+                              {"score", "/score"},
                               {"seconds", "/seconds"},
                               {"peak_memory_mib", "/peak_memory_mib"},
                               {"threads", "/threads"},
@@ -84,13 +85,20 @@ Json writeBenchmarkReport(const std::vector<Json>& results,
                           std::size_t listed,
                           const std::filesystem::path& folder) {
   const Json families = summarizeFamilies(results);
+  const TrustCurve trust = trustCurve(results);
   Json summary{
-      {"version", POSTURE_VERSION}, {"listed", listed}, {"families", families}, {"pairs", results}};
+      {"version", POSTURE_VERSION},
+      {"listed", listed},
+      {"families", families},
+      {"trust",
+       {{"good_pairs", trust.good}, {"bad_pairs", trust.bad}, {"area_under_curve", trust.area()}}},
+      {"pairs", results}};
   writeText(folder / "results.csv", resultTable(results));
   writeText(folder / "results.json", summary.dump(1) + "\n");
-  writeText(folder / "RESULTS.md", benchmarkPage(results, families, listed));
+  writeText(folder / "RESULTS.md", benchmarkPage(results, families, trust, listed));
   writeText(folder / "curves.svg", curvePlot(seriesOf(families, "curve")));
   writeText(folder / "histogram.svg", histogramPlot(seriesOf(families, "edge_histogram")));
+  if (trust.isKnown()) writeText(folder / "trust.svg", trustPlot(trust));
   return summary;
 }
 

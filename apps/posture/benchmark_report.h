@@ -3,6 +3,7 @@
 #pragma once
 
 #include "error_json.h"
+#include "trust_curve.h"
 #include <filesystem>
 #include <vector>
 
@@ -18,9 +19,11 @@ Json summarizeFamilies(const std::vector<Json>& results);
 /// RESULTS.md: the tables a person reads.
 std::string benchmarkPage(const std::vector<Json>& results,
                           const Json& families,
+                          const TrustCurve& trust,
                           std::size_t listed);
 
-/// Writes results.csv, results.json, RESULTS.md, curves.svg and histogram.svg into `folder`;
+/// Writes results.csv, results.json, RESULTS.md, curves.svg, histogram.svg and,
+/// where good and bad pairs are there to tell apart, trust.svg into `folder`;
 /// returns what results.json holds. \param listed  pairs in the list, with a result or without.
 Json writeBenchmarkReport(const std::vector<Json>& results,
                           std::size_t listed,

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 struct RegisterOptions {
   fs::path source, target, folder, dump;
-  bool paper = false;
+  bool paper = false, alternatives = false;
 };
 
 /// The pipeline speaks of "source" and "target"; the user knows the files.
@@ -34,8 +34,10 @@ RegistrationResult registerFiles(const RegisterOptions& options,
                                  const TriangleMesh& target,
                                  const Observer& observer) {
   try {
-    const Method method = options.paper ? Method::PAPER : Method::ORIENTED;
-    return registerShapes(source, target, {method}, observer);
+    RegistrationOptions registration;
+    registration.method = options.paper ? Method::PAPER : Method::REFINED;
+    registration.refine_alternatives = options.alternatives;
+    return registerShapes(source, target, registration, observer);
   } catch (const InputError& error) {
     const std::string message = error.what();
     for (const auto& [side, file] :
@@ -50,7 +52,7 @@ RunDescription describe(const RegisterOptions& options, double seconds) {
   RunDescription run;
   run.source = options.source.string();
   run.target = options.target.string();
-  run.options = {{"method", options.paper ? "paper" : "oriented"}};
+  run.options = {{"method", options.paper ? "paper" : "refined"}};
   run.files = {{"correspondence.csv", "for each source vertex its place on the target"},
                {"registered.ply", "the source, moved onto the target"},
                {"source_colored.ply", "the source, one colour a place; grey: no counterpart"},
@@ -58,6 +60,22 @@ RunDescription describe(const RegisterOptions& options, double seconds) {
   run.threads = omp_get_max_threads();
   run.seconds = seconds;
   return run;
+}
+
+/// The answers that were not chosen, each as a table and as the target in the source's colours.
+void writeAlternatives(const fs::path& folder,
+                       const TriangleMesh& source,
+                       const TriangleMesh& target,
+                       const RegistrationResult& result) {
+  for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
+    if (static_cast<int>(k) == result.chosen) continue;
+    const Correspondence& other = result.alternatives[k].correspondence;
+    const std::string name = "alternative-" + std::to_string(k);
+    writeCorrespondence(folder / (name + ".csv"), other);
+    writeMesh(folder / (name + "_target_colored.ply"),
+              target,
+              transferColors(placeColors(source.vertices), other, target));
+  }
 }
 
 void writeResults(const RegisterOptions& options,
@@ -74,6 +92,7 @@ void writeResults(const RegisterOptions& options,
   writeMesh(options.folder / "target_colored.ply",
             target,
             transferColors(colors, result.correspondence, target));
+  if (options.alternatives) writeAlternatives(options.folder, source, target, result);
   writeText(options.folder / "report.json", reportJson(result, run));
   writeText(options.folder / "report.html", reportHtml(result, run));
 }
@@ -120,8 +139,12 @@ void addRegister(CLI::App& app, Common& common) {
   verb->add_flag(
       "--paper",
       options->paper,
-      "Choose as Wuhrer, Shu and Bose published it in 2009: by deformation alone, so that "
-      "a body with two like sides often comes out mirrored");
+      "Register as Wuhrer, Shu and Bose published it in 2009: good to a few edges, and a body "
+      "with two like sides often comes out mirrored");
+  verb->add_flag("--alternatives",
+                 options->alternatives,
+                 "Also write the different answers that were not chosen: alternative-1.csv, ...")
+      ->excludes("--paper");
   verb->add_option("--dump", options->dump, "Folder for every stage's result as PLY files");
   verb->callback([options, &common] { registerVerb(*options, common); });
 }

@@ -61,7 +61,7 @@ TEST(ReportJson, emptyResult) {
   RegistrationResult nothing;
   const auto report = nlohmann::json::parse(reportJson(nothing, {}));
   EXPECT_EQ(report.at("status"), "undecided");
-  EXPECT_TRUE(report.at("chosen_hypothesis").is_null());
+  EXPECT_TRUE(report.at("chosen").is_null());
   EXPECT_TRUE(report.at("trust").at("accepted_share").is_null());
   EXPECT_TRUE(report.at("trust").at("runner_up_energy_ratio").is_null());
 }

@@ -4,7 +4,6 @@
 
 #include <posture/core/parallel.h>
 #include <posture/matching/consistency.h>
-#include <posture/refine/orientation.h>
 
 #include <algorithm>
 #include <utility>
@@ -26,13 +25,6 @@ std::vector<VertexPair> oneToOne(const DenseMap& map, int target_count) {
   for (int t = 0; t < target_count; ++t)
     if (source_of[t] >= 0) pairs.push_back({source_of[t], t});
   return pairs;
-}
-
-Points normalsAt(const std::vector<VertexPair>& pairs, const TriangleMesh& target) {
-  const Points normals = vertexNormals(target);
-  Points at_pairs(pairs.size(), 3);
-  for (std::size_t i = 0; i < pairs.size(); ++i) at_pairs.row(i) = normals.row(pairs[i].target);
-  return at_pairs;
 }
 
 }  // namespace
@@ -65,17 +57,13 @@ Hypothesis evaluateCandidate(const EmbeddedShape& source,
   h.common = computeCommonMeshes(source.mesh, target.mesh, pairs);
   h.source_energy = deformationEnergy(h.common.from_source);
   h.target_energy = deformationEnergy(h.common.from_target);
-  h.orientation = orientationVote(h.common.from_source, normalsAt(pairs, target.mesh));
   return h;
 }
 
-int choose(const std::vector<Hypothesis>& hypotheses, Method method) {
-  const auto turned = [&](const Hypothesis& h) {
-    return method == Method::ORIENTED && !(h.orientation > 0);
-  };
+int leastDeformed(const std::vector<Hypothesis>& hypotheses) {
   const auto best = std::min_element(
-      hypotheses.begin(), hypotheses.end(), [&](const Hypothesis& a, const Hypothesis& b) {
-        return std::pair(turned(a), a.energy()) < std::pair(turned(b), b.energy());
+      hypotheses.begin(), hypotheses.end(), [](const Hypothesis& a, const Hypothesis& b) {
+        return a.energy() < b.energy();
       });
   return static_cast<int>(best - hypotheses.begin());
 }

@@ -21,7 +21,6 @@ struct Hypothesis {
   CommonMeshes common;
   double source_energy = 0;  ///< E(M0)
   double target_energy = 0;  ///< E(M1)
-  double orientation = 0;    ///< vote in [-1, 1]; below 0 the map turns the surface inside out
 
   double energy() const { return source_energy > target_energy ? source_energy : target_energy; }
 };
@@ -38,9 +37,8 @@ Hypothesis evaluateCandidate(const EmbeddedShape& source,
                              const Matrix& consistency,
                              double threshold);
 
-/// The hypothesis of least E_D; with Method::ORIENTED of those alone that keep the outside out, if
-/// there are any.
-int choose(const std::vector<Hypothesis>& hypotheses, Method method);
+/// The hypothesis of least E_D.
+int leastDeformed(const std::vector<Hypothesis>& hypotheses);
 
 std::vector<StagePicture> hypothesisPictures(const EmbeddedShape& source,
                                              const EmbeddedShape& target,

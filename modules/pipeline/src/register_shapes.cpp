@@ -1,79 +1,27 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/core/parallel.h>
-#include <posture/matching/consistency.h>
 #include <posture/pipeline/register_shapes.h>
 
-#include "hypothesis.h"
 #include "prepare.h"
-#include "result.h"
+#include "published_method.h"
+#include "refined_method.h"
 #include "stage_clock.h"
 
 namespace posture {
 
-// The method of Wuhrer, Shu and Bose 2009, a stage a line; sections and equations are the paper's.
-RegistrationResult registerShapes(const TriangleMesh& source_input,
-                                  const TriangleMesh& target_input,
+RegistrationResult registerShapes(const TriangleMesh& source,
+                                  const TriangleMesh& target,
                                   const RegistrationOptions& options,
                                   const Observer& observer) {
   StageClock clock(observer);
-
-  const CleanMesh source_clean =
-      clock.stage("cleaning", 0.01, [&] { return cleanSide("source", source_input); });
-  const CleanMesh target_clean =
-      clock.stage("cleaning", 0.01, [&] { return cleanSide("target", target_input); });
-  clock.show([&] { return cleaningPictures(source_clean, target_clean); });
-
-  // 4.1: Voronoi samples, geodesic distances by fast marching, confidence w = 1 - m_h / m.
-  EmbeddedShape source{source_clean.mesh, {}, {}}, target{target_clean.mesh, {}, {}};
-  clock.stage("geodesic", 0.4, [&] {
-    source.landmarks = sampleSide("source", source.mesh);
-    target.landmarks = sampleSide("target", target.mesh);
-    return 0;
+  const auto [source_clean, target_clean] = clock.stage("cleaning", 0.02, [&] {
+    return std::pair(cleanSide("source", source), cleanSide("target", target));
   });
-  const double scale = commonScale(source.landmarks, target.landmarks);
-  rescale(source, scale);
-  clock.show([&] { return samplePictures(source, target); });
-
-  // 4.1: canonical forms by weighted least-squares scaling, the other vertices projected.
-  clock.stage("embedding", 0.2, [&] {
-    source.form = computeCanonicalForm(source.landmarks);
-    target.form = computeCanonicalForm(target.landmarks);
-    return 0;
-  });
-  clock.show([&] { return formPictures(source, target); });
-
-  // 4.1: the 2^k sign alignments of the principal axes, an optimal assignment each.
-  const std::vector<Candidate> candidates =
-      clock.stage("assignment", 0.1, [&] { return alignmentCandidates(source.form, target.form); });
-
-  // 4.2: consistency matrices C; c0 = mu - 3 sigma learned over all of them.
-  const std::vector<Matrix> consistency = clock.stage("consistency", 0.03, [&] {
-    return consistencyMatrices(candidates, source.landmarks, target.landmarks);
-  });
-  const double threshold = consistencyThreshold(consistency);
-
-  // 4.2 and 5, for each candidate: kernel, thin-plate spline, dense map; common meshes, E_D.
-  std::vector<Hypothesis> hypotheses(candidates.size());
-  clock.stage("hypotheses", 0.25, [&] {
-    parallelFor(static_cast<int>(candidates.size()), [&](int k) {
-      hypotheses[k] = evaluateCandidate(source, target, candidates[k], consistency[k], threshold);
-    });
-    return 0;
-  });
-  clock.show([&] { return hypothesisPictures(source, target, hypotheses); });
-
-  // 5: the candidate of least deformation wins; beyond the paper, of those that keep the outside
-  // out.
-  const int chosen = choose(hypotheses, options.method);
-  RegistrationResult result = clock.stage("result", 0.0, [&] {
-    return assembleResult({source_input, source_clean, source},
-                          {target_input, target_clean, target},
-                          hypotheses,
-                          chosen,
-                          scale);
-  });
-  result.consistency_threshold = threshold;
+  clock.show([&, &a = source_clean, &b = target_clean] { return cleaningPictures(a, b); });
+  RegistrationResult result =
+      options.method == Method::PAPER
+          ? publishedMethod({source, source_clean}, {target, target_clean}, clock)
+          : refinedMethod({source, source_clean}, {target, target_clean}, options, clock);
   result.timings = clock.timings();
   return result;
 }

@@ -4,10 +4,22 @@
 
 #include <posture/pipeline/register_shapes.h>
 
+#include "given_shape.h"
+
 namespace posture {
 
 /// Sets status and message from the chosen hypothesis: two bodies are called the same one when
 /// distances on them agree under it.
+void givePublishedVerdict(RegistrationResult& result);
+
+/// How far the score of the map and its margin before the next different one speak for it, in
+/// [0, 1].
+double trustIn(const RegistrationResult& result);
+
+/// Sets status and message from the trust.
 void giveVerdict(RegistrationResult& result);
+
+/// For when every candidate turns the surface inside out or tears it.
+void giveVerdictWithoutFinalist(const GivenShape& source, RegistrationResult& result);
 
 }  // namespace posture

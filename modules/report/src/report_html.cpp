@@ -58,14 +58,18 @@ std::string figures(const RegistrationResult& result) {
   const auto accepted = std::count_if(
       places.begin(), places.end(), [](const SurfacePoint& place) { return place.vertex >= 0; });
   const double share = places.empty() ? 0 : 100.0 * double(accepted) / double(places.size());
-  const std::vector<std::vector<std::string>> rows = {
+  std::vector<std::vector<std::string>> rows = {
       {"Source vertices with a counterpart",
        std::to_string(accepted) + " of " + std::to_string(places.size()) + " (" +
            formatFixed(share, 1) + " %)"},
-      {"Energy of the runner-up over that of the chosen candidate",
-       formatShort(runnerUpRatio(result))},
-      {"A source length times this is a target length", formatShort(result.scale)},
-      {"Consistency threshold c0", formatShort(result.consistency_threshold)}};
+      {"A source length times this is a target length", formatShort(result.scale)}};
+  if (!result.hypotheses.empty()) {
+    rows.push_back({"Energy of the runner-up over that of the chosen candidate",
+                    formatShort(runnerUpRatio(result))});
+    rows.push_back({"Consistency threshold c0", formatShort(result.consistency_threshold)});
+  } else {
+    rows.push_back({"Trust, from 0 to 1", formatFixed(result.trust, 2)});
+  }
   std::string content;
   for (const auto& cells : rows) content += element("tr", row(cells));
   return element("table", content);
@@ -81,18 +85,10 @@ std::string pictureTag(const ReportPicture& picture) {
 }
 
 std::string candidates(const RegistrationResult& result) {
-  std::string content = element("tr",
-                                row({"Axis signs",
-                                     "E_H",
-                                     "matched",
-                                     "kernel",
-                                     "accepted",
-                                     "common",
-                                     "E(M0)",
-                                     "E(M1)",
-                                     "E_D",
-                                     "orientation"},
-                                    "th"));
+  std::string content = element(
+      "tr",
+      row({"Axis signs", "E_H", "matched", "kernel", "accepted", "common", "E(M0)", "E(M1)", "E_D"},
+          "th"));
   for (std::size_t k = 0; k < result.hypotheses.size(); ++k) {
     const HypothesisSummary& candidate = result.hypotheses[k];
     std::string signs;
@@ -105,8 +101,34 @@ std::string candidates(const RegistrationResult& result) {
                                    std::to_string(candidate.common_vertices),
                                    formatShort(candidate.source_energy),
                                    formatShort(candidate.target_energy),
-                                   formatShort(candidate.energy),
-                                   formatFixed(candidate.orientation, 2)});
+                                   formatShort(candidate.energy)});
+    const bool chosen = static_cast<int>(k) == result.chosen;
+    content += element(chosen ? "tr class=\"chosen\"" : "tr", cells);
+  }
+  return element("table", content);
+}
+
+std::string alternatives(const RegistrationResult& result) {
+  std::string content = element("tr",
+                                row({"Distance from the chosen answer, % of sqrt(area)",
+                                     "score",
+                                     "bending",
+                                     "curvature",
+                                     "orthogonality",
+                                     "commutator",
+                                     "distortion",
+                                     "orientation"},
+                                    "th"));
+  for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
+    const AlternativeSummary& a = result.alternatives[k];
+    const std::string cells = row({formatFixed(100 * a.gap, 1),
+                                   formatFixed(a.score, 2),
+                                   formatShort(a.bending),
+                                   formatShort(a.curvature),
+                                   formatShort(a.orthogonality),
+                                   formatShort(a.commutator),
+                                   formatShort(a.distortion),
+                                   formatFixed(a.orientation, 2)});
     const bool chosen = static_cast<int>(k) == result.chosen;
     content += element(chosen ? "tr class=\"chosen\"" : "tr", cells);
   }
@@ -182,12 +204,19 @@ std::string reportHtml(const RegistrationResult& result,
   std::string body = element("h1", escapedMarkup(run.source + " \u2192 " + run.target)) + "\n" +
                      headline(result) + "\n" + figures(result) + "\n";
   for (const ReportPicture& picture : pictures) body += pictureTag(picture) + "\n";
-  body += section("Candidates",
-                  element("p class=\"note\"",
-                          "Each way to lay one canonical form on the other; the least deformed "
-                          "common mesh (E_D) wins. Orientation below 0: the map turns the surface "
-                          "inside out, which only the published method accepts.") +
-                      candidates(result));
+  if (!result.hypotheses.empty())
+    body += section("Candidates",
+                    element("p class=\"note\"",
+                            "Each way to lay one canonical form on the other; the least deformed "
+                            "common mesh (E_D) wins.") +
+                        candidates(result));
+  if (!result.alternatives.empty())
+    body += section("Answers compared",
+                    element("p class=\"note\"",
+                            "The different ways to lay one body on the other that keep the outside "
+                            "out. The score is the sum of the logarithms of the four figures after "
+                            "it; the lowest wins.") +
+                        alternatives(result));
   body += section("Shapes", shapes(result, run));
   if (!run.options.empty()) body += section("Options", list(run.options));
   if (!run.files.empty()) body += section("Files", list(run.files));

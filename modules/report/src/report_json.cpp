@@ -54,8 +54,27 @@ Json describe(const HypothesisSummary& hypothesis, bool chosen) {
           {"common_vertices", hypothesis.common_vertices},
           {"source_energy_E_M0", number(hypothesis.source_energy)},
           {"target_energy_E_M1", number(hypothesis.target_energy)},
-          {"energy_E_D", number(hypothesis.energy)},
-          {"orientation_vote", number(hypothesis.orientation)}};
+          {"energy_E_D", number(hypothesis.energy)}};
+}
+
+Json describe(const AlternativeSummary& alternative, bool chosen) {
+  return {{"chosen", chosen},
+          {"distance_from_chosen", number(alternative.gap)},
+          {"score", number(alternative.score)},
+          {"bending", number(alternative.bending)},
+          {"curvature_disagreement", number(alternative.curvature)},
+          {"orthogonality_defect", number(alternative.orthogonality)},
+          {"commutator", number(alternative.commutator)},
+          {"sample_distortion", number(alternative.distortion)},
+          {"orientation_vote", number(alternative.orientation)}};
+}
+
+template <class Summary>
+Json describeAll(const std::vector<Summary>& summaries, int chosen) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < summaries.size(); ++k)
+    list.push_back(describe(summaries[k], static_cast<int>(k) == chosen));
+  return list;
 }
 
 /// The figures that tell how far to trust the result.
@@ -71,6 +90,10 @@ Json describeTrust(const RegistrationResult& result) {
                 {"accepted_share", share(double(accepted), double(places.size()))},
                 {"mean_confidence_of_accepted", share(confidence, double(accepted))},
                 {"runner_up_energy_ratio", number(runnerUpRatio(result))}};
+  if (!result.alternatives.empty()) {
+    trust["trust"] = number(result.trust);
+    trust["score"] = number(result.score);
+  }
   return trust;
 }
 
@@ -120,23 +143,20 @@ double runnerUpRatio(const RegistrationResult& result) {
 }
 
 std::string reportJson(const RegistrationResult& result, const RunDescription& run) {
-  Json hypotheses = Json::array();
-  for (std::size_t k = 0; k < result.hypotheses.size(); ++k)
-    hypotheses.push_back(describe(result.hypotheses[k], static_cast<int>(k) == result.chosen));
-  const Json report = {
-      {"status", result.status == Status::REGISTERED ? "registered" : "undecided"},
-      {"message", result.message},
-      {"trust", describeTrust(result)},
-      {"source", describe(run.source, result.source)},
-      {"target", describe(run.target, result.target)},
-      {"scale_source_to_target", number(result.scale)},
-      {"consistency_threshold_c0", number(result.consistency_threshold)},
-      {"chosen_hypothesis", result.chosen < 0 ? Json(nullptr) : Json(result.chosen)},
-      {"hypotheses", hypotheses},
-      {"options", pairs(run.options)},
-      {"files", pairs(run.files)},
-      {"versions", versions()},
-      {"run", describeRun(result, run)}};
+  const Json report = {{"status", result.status == Status::REGISTERED ? "registered" : "undecided"},
+                       {"message", result.message},
+                       {"trust", describeTrust(result)},
+                       {"source", describe(run.source, result.source)},
+                       {"target", describe(run.target, result.target)},
+                       {"scale_source_to_target", number(result.scale)},
+                       {"consistency_threshold_c0", number(result.consistency_threshold)},
+                       {"chosen", result.chosen < 0 ? Json(nullptr) : Json(result.chosen)},
+                       {"hypotheses", describeAll(result.hypotheses, result.chosen)},
+                       {"alternatives", describeAll(result.alternatives, result.chosen)},
+                       {"options", pairs(run.options)},
+                       {"files", pairs(run.files)},
+                       {"versions", versions()},
+                       {"run", describeRun(result, run)}};
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

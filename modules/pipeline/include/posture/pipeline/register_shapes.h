@@ -13,14 +13,15 @@
 
 namespace posture {
 
-/// How the winning candidate is chosen.
 enum class Method {
-  ORIENTED,  ///< the least deformed of the candidates that do not turn the surface inside out
-  PAPER      ///< the least deformed, as published: mirrored maps of symmetric bodies often win
+  REFINED,  ///< candidates refined to a precise map, the right side chosen among them
+  PAPER     ///< as published: good to a few edges, mirrored maps of symmetric bodies often win
 };
 
 struct RegistrationOptions {
-  Method method = Method::ORIENTED;
+  Method method = Method::REFINED;
+  /// REFINED: also take the answers that were not chosen to full precision.
+  bool refine_alternatives = false;
 };
 
 enum class Status {
@@ -33,7 +34,7 @@ struct StageTiming {
   double seconds = 0;
 };
 
-/// One of the 2^k alignments with its figures; lengths in the target's unit.
+/// PAPER: one of the 2^k alignments with its figures; lengths in the target's unit.
 struct HypothesisSummary {
   std::array<int, 3> axis_signs{};  ///< +1 or -1 per axis of the canonical frame
   double assignment_cost = 0;       ///< E_H of section 4.1
@@ -45,8 +46,23 @@ struct HypothesisSummary {
   double source_energy = 0;         ///< E(M0) of section 5.2
   double target_energy = 0;         ///< E(M1)
   double energy = 0;                ///< E_D = max of both; infinity: no common mesh
-  double orientation = 0;           ///< vote in [-1, 1]; below 0: the surface inside out
   std::vector<int> target_vertex;   ///< per source vertex as given; -1: rejected
+};
+
+/// REFINED: one of the different answers that were compared. The terms of the score are those of
+/// MapScore, on coarse meshes; lower is better.
+struct AlternativeSummary {
+  double distortion = 0;   ///< mean change of distances between samples, relative
+  double orientation = 0;  ///< of the candidate it began as, in [-1, 1]; 1: the outside stays out
+  double bending = 0;
+  double curvature = 0;
+  double orthogonality = 0;
+  double commutator = 0;
+  double score = 0;
+  double gap = 0;                  ///< mean distance from the chosen answer, over sqrt(area)
+  std::vector<int> target_vertex;  ///< per source vertex as given, to the spacing of the coarse
+                                   ///< meshes
+  Correspondence correspondence;   ///< at full precision; empty unless alternatives are refined
 };
 
 /// What was done to one side.
@@ -67,16 +83,18 @@ struct RegistrationResult {
   std::string message;
   Correspondence correspondence;
   Points deformed;  ///< n x 3: the source's vertices, as given, moved onto the target
-  std::vector<HypothesisSummary> hypotheses;
-  int chosen = -1;                   ///< index into hypotheses
-  double consistency_threshold = 0;  ///< c0 of section 4.2
-  double scale = 1;                  ///< a source length times this is a target length
+  std::vector<HypothesisSummary> hypotheses;     ///< PAPER
+  std::vector<AlternativeSummary> alternatives;  ///< REFINED, by increasing score
+  int chosen = -1;                               ///< index into hypotheses or alternatives
+  double consistency_threshold = 0;              ///< PAPER: c0 of section 4.2
+  double score = 0;                              ///< REFINED: of the final map
+  double trust = 0;  ///< REFINED, in [0, 1]: how likely the map is right, see docs/decisions.md
+  double scale = 1;  ///< a source length times this is a target length
   ShapeSummary source, target;
   std::vector<StageTiming> timings;
 };
 
-/// Finds the dense correspondence of two meshes by the method of Wuhrer, Shu and Bose 2009,
-/// sections 4 and 5, and keeps the outside out unless asked for the published choice.
+/// Finds the dense correspondence of two meshes.
 /// \throws InputError  one of the meshes has no surface to work on; names which.
 RegistrationResult registerShapes(const TriangleMesh& source,
                                   const TriangleMesh& target,

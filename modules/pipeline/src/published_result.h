@@ -3,9 +3,9 @@
 #pragma once
 
 #include <posture/dense/dense_map.h>
-#include <posture/mesh/clean_mesh.h>
 #include <posture/pipeline/register_shapes.h>
 
+#include "given_shape.h"
 #include "hypothesis.h"
 #include <vector>
 
@@ -13,16 +13,15 @@ namespace posture {
 
 /// One side on its way through the pipeline.
 struct Side {
-  const TriangleMesh& input;
-  const CleanMesh& clean;
+  const GivenShape& given;
   const EmbeddedShape& shape;
 };
 
 /// Everything in terms of the vertices as they were given.
-RegistrationResult assembleResult(const Side& source,
-                                  const Side& target,
-                                  const std::vector<Hypothesis>& hypotheses,
-                                  int chosen,
-                                  double scale);
+RegistrationResult publishedResult(const Side& source,
+                                   const Side& target,
+                                   const std::vector<Hypothesis>& hypotheses,
+                                   int chosen,
+                                   double scale);
 
 }  // namespace posture

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "finalists.h"
+
+#include <posture/core/parallel.h>
+#include <posture/refine/bend.h>
+
+#include <algorithm>
+
+namespace posture {
+namespace {
+
+/// Right candidates have 0.38 and more, mirrored ones -0.35 and less; between them are maps that
+/// are torn, which are no use either.
+constexpr double LEAST_ORIENTATION = 0.2;
+
+constexpr int MOST_FINALISTS = 8;
+
+/// Where the sample maps end.
+constexpr int CANDIDATE_BASIS = 36;
+
+/// The low start mends limbs turned inside out, the high one keeps those a low one would twist.
+const std::vector<std::vector<int>> STARTS{{12, 24, 36, 48, 60}, {30, 40, 50, 60}};
+
+const std::vector<int> FINE_SIZES{40, 55, 70, 85, 100, 115, 130, 145, 160, 175, 190};
+
+/// A soft surface slides far, a stiff one keeps what is known: which of the two ways down is better
+/// depends on how isometric the pair is, and the score tells.
+const std::vector<std::vector<double>> STIFFENINGS{{0.1, 0.3, 1}, {0.03, 0.1, 0.3, 1}};
+constexpr int ROUNDS = 10;
+
+Points imagesOf(const SpectralSurface& surface, const std::vector<int>& matches) {
+  Points images(matches.size(), 3);
+  for (std::size_t i = 0; i < matches.size(); ++i)
+    images.row(i) = surface.mesh.vertices.row(matches[i]);
+  return images;
+}
+
+template <class Scored>
+void sortByScore(std::vector<Scored>& maps) {
+  std::stable_sort(maps.begin(), maps.end(), [](const Scored& a, const Scored& b) {
+    return a.score.total() < b.score.total();
+  });
+}
+
+}  // namespace
+
+std::vector<Finalist> registerFinalists(const SpectralSurface& source,
+                                        const SpectralSurface& target,
+                                        const SampledShape& source_samples,
+                                        const SampledShape& target_samples,
+                                        const std::vector<SampleMap>& pool) {
+  std::vector<Finalist> candidates(pool.size());
+  parallelFor(static_cast<int>(pool.size()), [&](int i) {
+    Finalist& candidate = candidates[i];
+    candidate.maps = spreadToVertices(source,
+                                      target,
+                                      source_samples.functions,
+                                      target_samples.functions,
+                                      pool[i],
+                                      CANDIDATE_BASIS);
+    candidate.distortion = pool[i].distortion;
+    candidate.orientation = orientation(source, target, candidate.maps);
+  });
+  std::vector<Finalist> finalists;
+  for (const Finalist& candidate : candidates)
+    if (candidate.orientation > LEAST_ORIENTATION &&
+        finalists.size() < MOST_FINALISTS * STARTS.size())
+      finalists.insert(finalists.end(), STARTS.size(), candidate);
+  parallelFor(static_cast<int>(finalists.size()), [&](int i) {
+    Finalist& finalist = finalists[i];
+    finalist.maps = bend(source, target, STARTS[i % STARTS.size()], finalist.maps);
+    finalist.score = scoreMaps(source, target, finalist.maps);
+  });
+  sortByScore(finalists);
+  return finalists;
+}
+
+double gapBetween(const SpectralSurface& target, const VertexMaps& x, const VertexMaps& y) {
+  double sum = 0;
+  for (std::size_t v = 0; v < x.forward.size(); ++v)
+    sum += (target.mesh.vertices.row(x.forward[v]) - target.mesh.vertices.row(y.forward[v])).norm();
+  return sum / static_cast<double>(x.forward.size());
+}
+
+std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
+                                   const SpectralSurface& target,
+                                   double gap) {
+  std::vector<int> distinct;
+  for (int i = 0; i < static_cast<int>(finalists.size()); ++i)
+    if (std::none_of(distinct.begin(), distinct.end(), [&](int k) {
+          return gapBetween(target, finalists[i].maps, finalists[k].maps) <= gap;
+        }))
+      distinct.push_back(i);
+  return distinct;
+}
+
+std::vector<RefinedMap> refineFinalists(const SpectralSurface& coarse_source,
+                                        const SpectralSurface& coarse_target,
+                                        const SpectralSurface& source,
+                                        const SpectralSurface& target,
+                                        const std::vector<const Finalist*>& finalists) {
+  std::vector<VertexMaps> sharp(finalists.size());
+  parallelFor(static_cast<int>(finalists.size()), [&](int i) {
+    const VertexMaps& coarse = finalists[i]->maps;
+    const VertexMaps start = spreadToVertices(source,
+                                              target,
+                                              coarse_source.functions,
+                                              coarse_target.functions,
+                                              {coarse.forward, coarse.backward, 0},
+                                              STARTS.front().back());
+    sharp[i] = sharpen(source, target, FINE_SIZES, start);
+  });
+  const double softness = settlingSoftness(source, target);
+  std::vector<RefinedMap> refined(finalists.size() * STIFFENINGS.size());
+  parallelFor(static_cast<int>(refined.size()), [&](int i) {
+    const VertexMaps& start = sharp[i / STIFFENINGS.size()];
+    BentPair& pair = refined[i].pair;
+    pair = {start, imagesOf(target, start.forward), imagesOf(source, start.backward)};
+    for (double share : STIFFENINGS[i % STIFFENINGS.size()])
+      settle(source, target, share * softness, ROUNDS, pair);
+    refined[i].score = scoreMaps(source, target, pair.maps);
+  });
+  sortByScore(refined);
+  return refined;
+}
+
+double settlingSoftness(const SpectralSurface& source, const SpectralSurface& target) {
+  const auto k = std::min(source.eigenvalues.size(), target.eigenvalues.size());
+  return 0.5 * (source.eigenvalues[k - 1] + target.eigenvalues[k - 1]);
+}
+
+}  // namespace posture

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "given_shape.h"
+
+#include <posture/deformation/follow_matches.h>
+#include <posture/mesh/edges.h>
+
+namespace posture {
+
+ShapeSummary summarize(const GivenShape& shape) {
+  ShapeSummary summary;
+  summary.vertices = static_cast<int>(shape.input.vertices.rows());
+  summary.faces = static_cast<int>(shape.input.faces.rows());
+  summary.cleaning = shape.clean.summary;
+  summary.clean_vertices = static_cast<int>(shape.clean.mesh.vertices.rows());
+  for (const Edge& e : meshEdges(shape.clean.mesh.faces)) summary.boundary_edges += e.faces == 1;
+  summary.area = faceAreas(shape.clean.mesh).sum();
+  summary.mean_edge_length = meanEdgeLength(shape.clean.mesh);
+  return summary;
+}
+
+std::vector<int> toInput(const std::vector<int>& map,
+                         const CleanMesh& source,
+                         const CleanMesh& target) {
+  std::vector<int> target_vertex(source.clean_vertex.size(), -1);
+  for (std::size_t v = 0; v < target_vertex.size(); ++v) {
+    const int t = map[source.clean_vertex[v]];
+    if (t >= 0) target_vertex[v] = target.input_vertex[t];
+  }
+  return target_vertex;
+}
+
+Points placesOfInput(const GivenShape& source,
+                     const TriangleMesh& mesh,
+                     const std::vector<char>& known,
+                     const Points& places,
+                     double scale) {
+  std::vector<int> loose, anchor;
+  for (int v = 0; v < source.input.vertices.rows(); ++v)
+    if (source.clean.offset[v] > 0) {
+      loose.push_back(v);
+      anchor.push_back(source.clean.clean_vertex[v]);
+    }
+  Points extra(loose.size(), 3);
+  for (std::size_t i = 0; i < loose.size(); ++i)
+    extra.row(i) = scale * source.input.vertices.row(loose[i]);
+  const Points moved = followMatches(mesh, known, places, extra, anchor);
+
+  Points of_input(source.input.vertices.rows(), 3);
+  for (int v = 0; v < of_input.rows(); ++v)
+    of_input.row(v) = moved.row(source.clean.clean_vertex[v]);
+  for (std::size_t i = 0; i < loose.size(); ++i)
+    of_input.row(loose[i]) = moved.row(mesh.vertices.rows() + i);
+  return of_input;
+}
+
+}  // namespace posture

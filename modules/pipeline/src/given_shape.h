@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/mesh/clean_mesh.h>
+#include <posture/pipeline/register_shapes.h>
+
+#include <vector>
+
+namespace posture {
+
+/// One side as it came, and its main surface.
+struct GivenShape {
+  const TriangleMesh& input;
+  const CleanMesh& clean;
+};
+
+/// What cleaning tells of a side; samples and stress are left to the method.
+ShapeSummary summarize(const GivenShape& shape);
+
+/// A map between clean vertices in the numbering of the input; loose vertices go where the vertex
+/// they follow goes. -1 stays -1.
+std::vector<int> toInput(const std::vector<int>& map,
+                         const CleanMesh& source,
+                         const CleanMesh& target);
+
+/// Places of all source vertices as given, from those of the clean ones: loose parts make the
+/// motion of the surface around the vertex they follow.
+/// \param known, places  of the clean vertices, as for followMatches.
+/// \param mesh  the clean source, scaled by `scale` to the unit of the places.
+Points placesOfInput(const GivenShape& source,
+                     const TriangleMesh& mesh,
+                     const std::vector<char>& known,
+                     const Points& places,
+                     double scale);
+
+}  // namespace posture

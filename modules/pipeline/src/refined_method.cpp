@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refined_method.h"
+
+#include <posture/core/parallel.h>
+#include <posture/mesh/edges.h>
+
+#include "finalists.h"
+#include "refined_pictures.h"
+#include "refined_result.h"
+#include "refined_shape.h"
+#include "verdict.h"
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace posture {
+namespace {
+
+constexpr int POOL = 32, REFINED_FINALISTS = 2, MOST_ALTERNATIVES = 4;
+
+AlternativeSummary summarize(const Finalist& finalist) {
+  AlternativeSummary summary;
+  summary.distortion = finalist.distortion;
+  summary.orientation = finalist.orientation;
+  summary.bending = finalist.score.bending;
+  summary.curvature = finalist.score.curvature;
+  summary.orthogonality = finalist.score.orthogonality;
+  summary.commutator = finalist.score.commutator;
+  summary.score = finalist.score.total();
+  return summary;
+}
+
+ShapeSummary summarize(const GivenShape& given, const RefinedShape& shape) {
+  ShapeSummary summary = summarize(given);
+  summary.samples = static_cast<int>(shape.samples.form.rows());
+  summary.stress = shape.stress;
+  return summary;
+}
+
+double rootArea(const GivenShape& shape) { return std::sqrt(faceAreas(shape.clean.mesh).sum()); }
+
+}  // namespace
+
+RegistrationResult refinedMethod(const GivenShape& source_given,
+                                 const GivenShape& target_given,
+                                 const RegistrationOptions& options,
+                                 StageClock& clock) {
+  // Lengths in square roots of the target's area: the k-th eigenvalue is then near 4 pi k.
+  const double target_unit = 1 / rootArea(target_given);
+  double source_unit = 1 / rootArea(source_given);
+  RefinedShape source, target;
+
+  // Evenly spread subsets of the vertices: all with all can be compared on them.
+  clock.stage("reduction", 0.08, [&] {
+    parallelFor(2, [&](int side) {
+      if (side == 0) source = reduceSide("source", source_given.clean.mesh, source_unit);
+      if (side == 1) target = reduceSide("target", target_given.clean.mesh, target_unit);
+    });
+    return 0;
+  });
+
+  // The smoothest functions on each surface, which do not change when it bends.
+  clock.stage("spectrum", 0.12, [&] {
+    parallelFor(2, [&](int side) { addSpectrum(side == 0 ? source : target); });
+    return 0;
+  });
+
+  // Geodesic distances between samples, and their canonical forms (the paper's section 4.1).
+  clock.stage("geodesic", 0.1, [&] {
+    addSamples(source);
+    addSamples(target);
+    return 0;
+  });
+  clock.show([&] { return samplePictures(source, target); });
+
+  // Maps between the samples: all axis orders and signs, and what the shapes' symmetries make of
+  // them.
+  const std::vector<SampleMap> pool = clock.stage(
+      "candidates", 0.15, [&] { return poolOfMaps(source.samples, target.samples, POOL); });
+
+  // With holes the areas do not tell the scale, but distances under a map do; those under a
+  // mirrored one as well.
+  const double ratio = distanceRatio(source.samples, target.samples, pool.front());
+  rescale(source, ratio);
+  source_unit *= ratio;
+
+  // Those that keep the outside out, bent onto the target; the least strained first.
+  const SpectralSurface source_coarse = source.coarseSurface(),
+                        target_coarse = target.coarseSurface();
+  const std::vector<Finalist> finalists = clock.stage("bending", 0.15, [&] {
+    return registerFinalists(source_coarse, target_coarse, source.samples, target.samples, pool);
+  });
+  RegistrationResult result;
+  result.source = summarize(source_given, source);
+  result.target = summarize(target_given, target);
+  result.scale = source_unit / target_unit;
+  if (finalists.empty()) {
+    giveVerdictWithoutFinalist(source_given, result);
+    return result;
+  }
+  const std::vector<int> distinct =
+      distinctFinalists(finalists, target_coarse, 2 * target.samples.spacing);
+  clock.show([&] { return finalistPictures(source_coarse, target_coarse, finalists, distinct); });
+
+  // The best two, as precise as the work meshes allow; the better one wins.
+  const SpectralSurface source_work = source.workSurface(), target_work = target.workSurface();
+  const auto refine = [&](const std::vector<const Finalist*>& chosen) {
+    return refineFinalists(source_coarse, target_coarse, source_work, target_work, chosen).front();
+  };
+  const RefinedMap best = clock.stage("refinement", 0.25, [&] {
+    std::vector<const Finalist*> leading;
+    for (const Finalist& f : finalists)
+      if (leading.size() < REFINED_FINALISTS) leading.push_back(&f);
+    return refine(leading);
+  });
+  clock.show([&] { return refinedPictures(source_work, target_work, best); });
+
+  // All vertices, to a fraction of an edge.
+  const auto complete = [&](const RefinedMap& map) {
+    return toFullResolution(source, source_work, target, target_work, map.pair);
+  };
+  clock.stage("full resolution", 0.1, [&] {
+    for (int i : distinct) {
+      if (static_cast<int>(result.alternatives.size()) >= MOST_ALTERNATIVES) break;
+      AlternativeSummary summary = summarize(finalists[i]);
+      summary.gap = gapBetween(target_coarse, finalists.front().maps, finalists[i].maps);
+      summary.target_vertex =
+          coarseToInput(finalists[i].maps, source_given, source, target_given, target);
+      result.alternatives.push_back(std::move(summary));
+    }
+    result.chosen = 0;
+    result.score = best.score.total();
+    result.trust = trustIn(result);
+    const FullMap full = complete(best);
+    result.correspondence =
+        correspondenceOf(source_given, source, target_given, full, result.trust);
+    result.deformed = placesOfInput(source_given,
+                                    source.full,
+                                    std::vector<char>(full.places.size(), 1),
+                                    full.pair.bent_a,
+                                    source_unit) /
+                      target_unit;
+    giveVerdict(result);
+    return 0;
+  });
+  if (options.refine_alternatives)
+    clock.stage("alternatives", 0.0, [&] {
+      for (std::size_t k = 1; k < result.alternatives.size(); ++k) {
+        AlternativeSummary& other = result.alternatives[k];
+        const double likelihood = std::exp(result.alternatives.front().score - other.score);
+        other.correspondence = correspondenceOf(source_given,
+                                                source,
+                                                target_given,
+                                                complete(refine({&finalists[distinct[k]]})),
+                                                result.trust * likelihood);
+      }
+      return 0;
+    });
+  return result;
+}
+
+}  // namespace posture

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refined_result.h"
+
+#include <posture/mesh/edges.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace posture {
+namespace {
+
+constexpr int FULL_ROUNDS = 5;
+
+/// A vertex whose match is the rim of a hole, more than an edge from where the vertex lies.
+std::vector<char> overHoles(const BendableSurface& source,
+                            const BendableSurface& target,
+                            const BentPair& pair) {
+  const double edge = meanEdgeLength(target.mesh);
+  std::vector<char> over(pair.maps.forward.size(), 0);
+  for (std::size_t v = 0; v < over.size(); ++v) {
+    const int t = pair.maps.forward[v];
+    over[v] = target.on_boundary[t] && !source.on_boundary[v] &&
+              (pair.bent_a.row(v) - target.mesh.vertices.row(t)).norm() > edge;
+  }
+  return over;
+}
+
+/// For faces of the main surface the face they were given as.
+class GivenFaces {
+ public:
+  explicit GivenFaces(const GivenShape& shape) : shape_(shape) {
+    for (int f = 0; f < shape.input.faces.rows(); ++f) {
+      const auto corners = sorted(cleanCorners(f));
+      if (corners[0] >= 0) faces_.emplace(corners, f);
+    }
+  }
+
+  /// A place on the clean mesh, on the mesh as given.
+  SurfacePoint toInput(const FacePoint& place, int clean_vertex) const {
+    SurfacePoint point;
+    point.vertex = shape_.clean.input_vertex[clean_vertex];
+    const Eigen::Vector3i face = shape_.clean.mesh.faces.row(place.face);
+    const auto found = faces_.find(sorted({face[0], face[1], face[2]}));
+    if (found == faces_.end()) return point;
+    point.face = found->second;
+    const std::array<int, 3> corners = cleanCorners(point.face);
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        if (corners[k] == face[j]) point.barycentric[k] = place.barycentric[j];
+    return point;
+  }
+
+ private:
+  using Corners = std::array<int, 3>;
+
+  Corners cleanCorners(int input_face) const {
+    Corners corners{};
+    for (int k = 0; k < 3; ++k) {
+      const int v = shape_.input.faces(input_face, k);
+      corners[k] = shape_.clean.offset[v] > 0 ? -1 : shape_.clean.clean_vertex[v];
+    }
+    return corners;
+  }
+  static Corners sorted(Corners corners) {
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  }
+
+  const GivenShape& shape_;
+  std::map<Corners, int> faces_;
+};
+
+/// In (0, 1]: whether the way there and back ends where it began.
+Vector roundTripConfidence(const TriangleMesh& source, const VertexMaps& maps) {
+  const double edge = meanEdgeLength(source);
+  Vector confidence(maps.forward.size());
+  for (int v = 0; v < confidence.size(); ++v) {
+    const int back = maps.backward[maps.forward[v]];
+    const double miss = (source.vertices.row(v) - source.vertices.row(back)).norm() / (2 * edge);
+    confidence[v] = 1 / (1 + miss * miss);
+  }
+  return confidence;
+}
+
+}  // namespace
+
+FullMap toFullResolution(const RefinedShape& source,
+                         const SpectralSurface& source_work,
+                         const RefinedShape& target,
+                         const SpectralSurface& target_work,
+                         const BentPair& pair) {
+  const BendableSurface a(source.full), b(target.full);
+  const double softness = settlingSoftness(source_work, target_work);
+  FullMap map;
+  map.pair =
+      carryUp(source.full, source.work, source_work, target.full, target.work, target_work, pair);
+  settle(a, b, softness, FULL_ROUNDS, map.pair);
+  map.places = placesOnFaces(a, b, softness, map.pair);
+  map.without_partner = overHoles(a, b, map.pair);
+  return map;
+}
+
+Correspondence correspondenceOf(const GivenShape& source,
+                                const RefinedShape& source_shape,
+                                const GivenShape& target,
+                                const FullMap& map,
+                                double trust) {
+  const GivenFaces faces(target);
+  const Vector confidence = roundTripConfidence(source_shape.full, map.pair.maps);
+  const std::size_t n = source.clean.clean_vertex.size();
+  Correspondence correspondence;
+  correspondence.on_target.resize(n);
+  correspondence.confidence = Vector::Zero(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    const int clean = source.clean.clean_vertex[v];
+    if (map.without_partner[clean]) continue;
+    correspondence.on_target[v] = faces.toInput(map.places[clean], map.pair.maps.forward[clean]);
+    correspondence.confidence[v] = trust * confidence[clean];
+  }
+  return correspondence;
+}
+
+std::vector<int> coarseToInput(const VertexMaps& maps,
+                               const GivenShape& source,
+                               const RefinedShape& source_shape,
+                               const GivenShape& target,
+                               const RefinedShape& target_shape) {
+  std::vector<int> clean(source_shape.full.vertices.rows());
+  for (std::size_t v = 0; v < clean.size(); ++v) {
+    const int coarse = source_shape.coarse.nearest[source_shape.work.nearest[v]];
+    clean[v] = target_shape.work.vertex[target_shape.coarse.vertex[maps.forward[coarse]]];
+  }
+  return toInput(clean, source.clean, target.clean);
+}
+
+}  // namespace posture

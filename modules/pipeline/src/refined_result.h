@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "finalists.h"
+#include "given_shape.h"
+#include "refined_shape.h"
+
+namespace posture {
+
+/// A map between the main surfaces as given.
+struct FullMap {
+  BentPair pair;
+  std::vector<FacePoint> places;      ///< of the source's vertices on the target
+  std::vector<char> without_partner;  ///< the target has a hole there
+};
+
+/// Takes a map from the work meshes to all vertices of both shapes.
+FullMap toFullResolution(const RefinedShape& source,
+                         const SpectralSurface& source_work,
+                         const RefinedShape& target,
+                         const SpectralSurface& target_work,
+                         const BentPair& pair);
+
+/// A full map in terms of the vertices and faces as they were given.
+/// \param trust  in the whole map: each point is trusted so much at most.
+Correspondence correspondenceOf(const GivenShape& source,
+                                const RefinedShape& source_shape,
+                                const GivenShape& target,
+                                const FullMap& map,
+                                double trust);
+
+/// The map of a coarse finalist in the numbering of the input.
+std::vector<int> coarseToInput(const VertexMaps& maps,
+                               const GivenShape& source,
+                               const RefinedShape& source_shape,
+                               const GivenShape& target,
+                               const RefinedShape& target_shape);
+
+}  // namespace posture

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refined_shape.h"
+
+#include <posture/core/error.h>
+#include <posture/embedding/canonical_form.h>
+#include <posture/geodesic/landmarks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace posture {
+namespace {
+
+/// Maps are exact to a fraction of an edge of these meshes before the last stage takes them to the
+/// full ones; comparing all vertices with all, the time goes with the square.
+constexpr int WORK_VERTICES = 5000, COARSE_VERTICES = 1500, SAMPLES = 500;
+
+/// The smallest of their waves is still five edges long on the coarse mesh.
+constexpr int FUNCTIONS = 200;
+
+/// What tells a shape at all: each eigenfunction takes a few vertices.
+constexpr int LEAST_VERTICES = 20, VERTICES_PER_FUNCTION = 4;
+
+Matrix rowsAt(const Matrix& m, const std::vector<int>& rows) {
+  Matrix picked(rows.size(), m.cols());
+  for (std::size_t i = 0; i < rows.size(); ++i) picked.row(i) = m.row(rows[i]);
+  return picked;
+}
+
+}  // namespace
+
+SpectralSurface RefinedShape::workSurface() const {
+  return {work.mesh, basis.functions, basis.eigenvalues};
+}
+
+SpectralSurface RefinedShape::coarseSurface() const {
+  return {coarse.mesh, rowsAt(basis.functions, coarse.vertex), basis.eigenvalues};
+}
+
+RefinedShape reduceSide(const std::string& side, const TriangleMesh& clean, double scale) {
+  const auto n = clean.vertices.rows();
+  if (n < LEAST_VERTICES)
+    throw InputError(side + " has only " + std::to_string(n) +
+                     " usable vertices: too few to tell a shape");
+  RefinedShape shape;
+  shape.full = {scale * clean.vertices, clean.faces};
+  shape.work = reduceMesh(shape.full, WORK_VERTICES);
+  shape.coarse = reduceMesh(shape.work.mesh, COARSE_VERTICES);
+  return shape;
+}
+
+void addSpectrum(RefinedShape& shape) {
+  const int n = static_cast<int>(shape.work.mesh.vertices.rows());
+  shape.basis = spectralBasis(cotangentLaplacian(shape.work.mesh),
+                              std::min(FUNCTIONS, n / VERTICES_PER_FUNCTION));
+}
+
+void addSamples(RefinedShape& shape) {
+  const Landmarks landmarks =
+      computeLandmarks(shape.work.mesh, FastMarching(shape.work.mesh), SAMPLES);
+  const CanonicalForm form = embedSamples(landmarks);
+  shape.stress = form.stress;
+  shape.samples = {rowsAt(shape.basis.functions, landmarks.vertices).cast<float>(),
+                   sampleDistances(landmarks),
+                   landmarks.confidence.cast<double>(),
+                   form.landmarks,
+                   landmarks.covering_radius};
+}
+
+void rescale(RefinedShape& shape, double scale) {
+  shape.full.vertices *= scale;
+  shape.work.mesh.vertices *= scale;
+  shape.coarse.mesh.vertices *= scale;
+  shape.basis.functions /= scale;
+  shape.basis.eigenvalues /= scale * scale;
+  shape.samples.functions /= static_cast<float>(scale);
+  shape.samples.distances *= scale;
+  shape.samples.form *= scale;
+  shape.samples.spacing *= scale;
+}
+
+double distanceRatio(const SampledShape& a, const SampledShape& b, const SampleMap& map) {
+  std::vector<std::pair<double, double>> ratios;  // logarithm, weight
+  const auto add = [&](double on_a, double on_b, double weight) {
+    if (on_a > 0 && on_b > 0 && weight > 0) ratios.emplace_back(std::log(on_b / on_a), weight);
+  };
+  const int sa = static_cast<int>(map.forward.size()), sb = static_cast<int>(map.backward.size());
+  for (int j = 0; j < sa; ++j)
+    for (int i = 0; i < j; ++i) {
+      const int x = map.forward[i], y = map.forward[j];
+      add(a.distances(i, j), b.distances(x, y), a.confidence(i, j) * b.confidence(x, y));
+    }
+  for (int j = 0; j < sb; ++j)
+    for (int i = 0; i < j; ++i) {
+      const int x = map.backward[i], y = map.backward[j];
+      add(a.distances(x, y), b.distances(i, j), a.confidence(x, y) * b.confidence(i, j));
+    }
+  if (ratios.empty()) return 1;
+  std::sort(ratios.begin(), ratios.end());
+  const double half =
+      0.5 * std::accumulate(ratios.begin(), ratios.end(), 0.0, [](double sum, const auto& r) {
+        return sum + r.second;
+      });
+  double below = 0;
+  for (const auto& [log_ratio, weight] : ratios)
+    if ((below += weight) >= half) return std::exp(log_ratio);
+  return 1;
+}
+
+}  // namespace posture

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/deformation/reduce_mesh.h>
+#include <posture/refine/surface.h>
+
+namespace posture {
+
+/// Two surfaces, each bent onto the other.
+struct BentPair {
+  VertexMaps maps;
+  Points bent_a;  ///< a's vertices on b
+  Points bent_b;  ///< b's vertices on a
+};
+
+/// Lets two surfaces that lie nearly on each other settle: in turn bends each as rigidly as
+/// possible towards its image, and moves each vertex's match along the other surface to where
+/// places and normals agree best, seen from both sides at once.
+/// \param softness  as for Arap::pull.
+void settle(const BendableSurface& a,
+            const BendableSurface& b,
+            double softness,
+            int rounds,
+            BentPair& pair);
+
+/// What was found on reduced meshes, on the meshes they were reduced from: every vertex moves as
+/// the reduced ones around it do, and takes the match of the nearest of them.
+/// \param work_a, work_b  the surfaces of the reduced meshes.
+BentPair carryUp(const TriangleMesh& a,
+                 const ReducedMesh& reduced_a,
+                 const BendableSurface& work_a,
+                 const TriangleMesh& b,
+                 const ReducedMesh& reduced_b,
+                 const BendableSurface& work_b,
+                 const BentPair& pair);
+
+/// A place in a face: f x 3 corners in the order of the mesh's faces.
+struct FacePoint {
+  int face = -1;
+  Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();  ///< >= 0, sum 1
+};
+
+/// For each vertex of a the place on b that fits it best, in the faces around its match.
+std::vector<FacePoint> placesOnFaces(const BendableSurface& a,
+                                     const BendableSurface& b,
+                                     double softness,
+                                     const BentPair& pair);
+
+}  // namespace posture

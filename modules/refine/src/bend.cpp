@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/normals.h>
+#include <posture/refine/bend.h>
+
+#include "belief.h"
+#include "functional_map.h"
+#include "joint_nearest.h"
+#include <cmath>
+#include <utility>
+
+namespace posture {
+namespace {
+
+using Block = Eigen::MatrixXf;
+
+/// The leading principal directions hold what tells neighbours apart.
+constexpr int NEAREST_DIMENSIONS = 50;
+
+/// One surface in its own pose and bent onto the other.
+struct BothPoses {
+  Points own;
+  Points bent;
+};
+
+/// What makes the eigenfunctions as steep as the places are, so that neither outweighs the other:
+/// the squared slope of k functions is the sum of their eigenvalues, half of it along each of the
+/// two directions of the surface, and they appear twice.
+float spectralScale(const SpectralSurface& a, const SpectralSurface& b, int k) {
+  const double mean = 0.5 * (a.eigenvalues.head(k).sum() + b.eigenvalues.head(k).sum());
+  return static_cast<float>(1 / std::sqrt(2 * 0.5 * mean));
+}
+
+Block normalsOf(const SpectralSurface& surface, const Points& places, double weight) {
+  return (weight * vertexNormals({places, surface.mesh.faces})).cast<float>();
+}
+
+/// Nearest neighbours both ways where everything that is known of two surfaces agrees.
+VertexMaps nearestMaps(const SpectralSurface& a,
+                       const BothPoses& poses_a,
+                       const SpectralSurface& b,
+                       const BothPoses& poses_b,
+                       int k,
+                       double normal_weight,
+                       const VertexMaps& maps) {
+  const FunctionalMaps c = fitFunctionalMaps(a, b, k, maps);
+  const float scale = spectralScale(a, b, k);
+  const auto fa = a.functions.leftCols(k), fb = b.functions.leftCols(k);
+  Block joint_a(fa.rows(), 2 * k + 12), joint_b(fb.rows(), 2 * k + 12);
+  joint_a << scale * fa, scale * (fa * c.ab), poses_a.own.cast<float>(), poses_a.bent.cast<float>(),
+      normalsOf(a, poses_a.own, normal_weight), normalsOf(a, poses_a.bent, normal_weight);
+  joint_b << scale * (fb * c.ba), scale * fb, poses_b.bent.cast<float>(), poses_b.own.cast<float>(),
+      normalsOf(b, poses_b.bent, normal_weight), normalsOf(b, poses_b.own, normal_weight);
+  reduceDimensions(joint_a, joint_b, NEAREST_DIMENSIONS);
+  VertexMaps found;
+  nearestBothWays(joint_a, joint_b, found.forward, found.backward);
+  return found;
+}
+
+/// `from` bent towards where its vertices go on `to`.
+Points bentOnto(const SpectralSurface& from,
+                const SpectralSurface& to,
+                const std::vector<int>& matches,
+                int k,
+                double softness) {
+  const Points goals = rowsAt(to.mesh.vertices, matches);
+  const Arap::Attraction attraction = from.arap.attract(softness, belief(from, to, matches));
+  return from.arap.pull(lowPass(from, goals, k), goals, attraction, BENDING_STEPS).vertices;
+}
+
+}  // namespace
+
+VertexMaps spreadToVertices(const SpectralSurface& a,
+                            const SpectralSurface& b,
+                            const Block& samples_a,
+                            const Block& samples_b,
+                            const SampleMap& map,
+                            int size) {
+  const int k = basisSize(a, b, size);
+  const auto values = [&](const Block& samples, const std::vector<int>& images) {
+    const Block own = samples.leftCols(k);
+    return FunctionValues{
+        own, rowsAt(own, images), own.transpose() * own, Eigen::VectorXf::Ones(own.rows())};
+  };
+  const FunctionalMaps c =
+      fitFunctionalMaps(values(samples_a, map.backward), values(samples_b, map.forward));
+  const auto fa = a.functions.leftCols(k), fb = b.functions.leftCols(k);
+  Block joint_a(fa.rows(), 2 * k), joint_b(fb.rows(), 2 * k);
+  joint_a << fa, fa * c.ab;
+  joint_b << fb * c.ba, fb;
+  reduceDimensions(joint_a, joint_b, NEAREST_DIMENSIONS);
+  VertexMaps maps;
+  nearestBothWays(joint_a, joint_b, maps.forward, maps.backward);
+  return maps;
+}
+
+VertexMaps bend(const SpectralSurface& a,
+                const SpectralSurface& b,
+                const std::vector<int>& sizes,
+                VertexMaps maps) {
+  for (const int size : sizes) {
+    const int k = basisSize(a, b, size);
+    const double softness = eigenvalueAt(a, b, k);
+    const BothPoses poses_a{a.mesh.vertices, bentOnto(a, b, maps.forward, k, softness)};
+    const BothPoses poses_b{b.mesh.vertices, bentOnto(b, a, maps.backward, k, softness)};
+    maps = nearestMaps(a, poses_a, b, poses_b, k, 1 / std::sqrt(softness), maps);
+  }
+  return maps;
+}
+
+VertexMaps sharpen(const SpectralSurface& a,
+                   const SpectralSurface& b,
+                   const std::vector<int>& sizes,
+                   VertexMaps maps) {
+  // Normals of smoothed surfaces say less than those of bent ones.
+  constexpr double NORMAL_SHARE = 0.3;
+  for (const int size : sizes) {
+    const int k = basisSize(a, b, size);
+    const auto poses = [k](const SpectralSurface& from,
+                           const SpectralSurface& to,
+                           const std::vector<int>& matches) {
+      return BothPoses{lowPass(from, from.mesh.vertices, k),
+                       lowPass(from, rowsAt(to.mesh.vertices, matches), k)};
+    };
+    maps = nearestMaps(a,
+                       poses(a, b, maps.forward),
+                       b,
+                       poses(b, a, maps.backward),
+                       k,
+                       NORMAL_SHARE / std::sqrt(eigenvalueAt(a, b, k)),
+                       maps);
+  }
+  return maps;
+}
+
+}  // namespace posture

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/refine/surface.h>
+
+#include <vector>
+
+namespace posture {
+
+/// The rows of `m` with these numbers.
+template <class Derived>
+typename Derived::PlainObject rowsAt(const Eigen::MatrixBase<Derived>& m,
+                                     const std::vector<int>& rows) {
+  typename Derived::PlainObject picked(rows.size(), m.cols());
+  for (std::size_t i = 0; i < rows.size(); ++i) picked.row(i) = m.row(rows[i]);
+  return picked;
+}
+
+/// Functional maps (Ovsjanikov et al. 2012) of both directions.
+struct FunctionalMaps {
+  Eigen::MatrixXf ab;  ///< k x k: functions of a times this are near those of b at the image
+  Eigen::MatrixXf ba;  ///< and the other way round
+};
+
+/// One shape's functions at its own places and at the images of the other's.
+struct FunctionValues {
+  Eigen::MatrixXf own;       ///< n x k
+  Eigen::MatrixXf on_other;  ///< n of the other x k
+  Eigen::MatrixXf gram;      ///< k x k: own' W own
+  Eigen::VectorXf weight;    ///< n, areas
+};
+
+/// Least squares over both maps at once (as in bijective ZoomOut, Ren et al. 2021).
+FunctionalMaps fitFunctionalMaps(const FunctionValues& a, const FunctionValues& b);
+
+/// On the first k functions of two surfaces.
+FunctionalMaps fitFunctionalMaps(const SpectralSurface& a,
+                                 const SpectralSurface& b,
+                                 int k,
+                                 const VertexMaps& maps);
+
+/// At most `size`, and as many as both surfaces have.
+int basisSize(const SpectralSurface& a, const SpectralSurface& b, int size);
+
+/// The k-th eigenvalue, mean of both: 1 / its square root is the size of what k functions hold.
+double eigenvalueAt(const SpectralSurface& a, const SpectralSurface& b, int k);
+
+/// Projection of each column on the first k eigenfunctions.
+Matrix lowPass(const SpectralSurface& surface, const Matrix& values, int k);
+
+}  // namespace posture

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/parallel.h>
+#include <posture/mesh/normals.h>
+#include <posture/refine/settle.h>
+
+#include <Eigen/Geometry>
+
+#include "belief.h"
+#include "functional_map.h"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace posture {
+namespace {
+
+/// Place and normal on the surface itself and where it is bent to, so that a distance between two
+/// rows sees both directions. Twelve numbers a vertex.
+using Features = Eigen::Matrix<float, 12, Eigen::Dynamic>;
+
+Features features(const Points& on_a,
+                  const Points& normals_on_a,
+                  const Points& on_b,
+                  const Points& normals_on_b,
+                  double normal_weight) {
+  Features f(12, on_a.rows());
+  f.topRows(3) = on_a.transpose().cast<float>();
+  f.middleRows(3, 3) = on_b.transpose().cast<float>();
+  f.middleRows(6, 3) = (normal_weight * normals_on_a.transpose()).cast<float>();
+  f.bottomRows(3) = (normal_weight * normals_on_b.transpose()).cast<float>();
+  return f;
+}
+
+/// Walks each match downhill along the other surface's edges, starting from the matches the vertex
+/// and its neighbours have: what one vertex has found, the next can take up.
+std::vector<int> slide(const BendableSurface& from,
+                       const Features& of_from,
+                       const BendableSurface& to,
+                       const Features& of_to,
+                       const std::vector<int>& matches) {
+  std::vector<int> better(matches.size());
+#pragma omp parallel for schedule(dynamic, 256)
+  for (int v = 0; v < static_cast<int>(matches.size()); ++v) {
+    const auto distance = [&](int t) { return (of_from.col(v) - of_to.col(t)).squaredNorm(); };
+    int best = matches[v];
+    float least = distance(best);
+    const auto take = [&](int t) {
+      const float d = distance(t);
+      if (d < least || (d == least && t < best)) {
+        least = d;
+        best = t;
+        return true;
+      }
+      return false;
+    };
+    for (const int* w = from.neighbors.begin(v); w != from.neighbors.end(v); ++w) take(matches[*w]);
+    // Steps over two edges leave the small dips that a slanted triangulation makes.
+    for (bool moved = true; moved;) {
+      moved = false;
+      const int here = best;
+      for (const int* w = to.neighbors.begin(here); w != to.neighbors.end(here); ++w) {
+        moved |= take(*w);
+        for (const int* u = to.neighbors.begin(*w); u != to.neighbors.end(*w); ++u)
+          moved |= take(*u);
+      }
+    }
+    better[v] = best;
+  }
+  return better;
+}
+
+struct FeaturePair {
+  Features a, b;
+};
+
+FeaturePair featuresOf(const BendableSurface& a,
+                       const BendableSurface& b,
+                       double softness,
+                       const BentPair& pair) {
+  const double normal_weight = 1 / std::sqrt(softness);
+  const Points bent_normals_a = vertexNormals({pair.bent_a, a.mesh.faces});
+  const Points bent_normals_b = vertexNormals({pair.bent_b, b.mesh.faces});
+  return {features(a.mesh.vertices, a.normals, pair.bent_a, bent_normals_a, normal_weight),
+          features(pair.bent_b, bent_normals_b, b.mesh.vertices, b.normals, normal_weight)};
+}
+
+/// Bends one surface further and further onto another one.
+class Bender {
+ public:
+  Bender(const BendableSurface& from, const BendableSurface& to, double softness)
+      : from_(from), to_(to), softness_(softness) {}
+
+  void pull(const std::vector<int>& matches, Points& bent) {
+    Vector believed = belief(from_, to_, matches);
+    if (!attraction_ || believed != believed_) {
+      attraction_ = from_.arap.attract(softness_, believed);
+      believed_ = std::move(believed);
+    }
+    const Points goals = rowsAt(to_.mesh.vertices, matches);
+    bent = from_.arap.pull(bent, goals, *attraction_, BENDING_STEPS).vertices;
+  }
+
+ private:
+  const BendableSurface &from_, &to_;
+  double softness_;
+  Vector believed_;
+  std::optional<Arap::Attraction> attraction_;
+};
+
+/// Every vertex of the full mesh moves as the reduced vertices around it do.
+Points prolong(const TriangleMesh& full,
+               const ReducedMesh& reduced,
+               const BendableSurface& work,
+               const Points& bent) {
+  const std::vector<Eigen::Matrix3d> rotation = work.arap.rotations(bent);
+  Points places(full.vertices.rows(), 3);
+  for (int v = 0; v < places.rows(); ++v) {
+    const int nearest = reduced.nearest[v];
+    const Eigen::Vector3d x = full.vertices.row(v);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double weight = 0;
+    const auto add = [&](int w) {
+      const Eigen::Vector3d from = x - work.mesh.vertices.row(w).transpose();
+      const double share = 1 / (from.squaredNorm() + 1e-12);
+      sum += share * (bent.row(w).transpose() + rotation[w] * from);
+      weight += share;
+    };
+    add(nearest);
+    std::for_each(work.neighbors.begin(nearest), work.neighbors.end(nearest), add);
+    places.row(v) = (sum / weight).transpose();
+  }
+  return places;
+}
+
+/// Barycentric coordinates of the point of a triangle nearest to `p`, in any dimension (Ericson
+/// 2004, section 5.1.5, which needs scalar products alone).
+template <class Column>
+Eigen::Vector3d nearestInTriangle(const Column& p,
+                                  const Column& a,
+                                  const Column& b,
+                                  const Column& c) {
+  const Column ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp),
+               d6 = ac.dot(cp);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 0.5; };
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+    const double t = share(d1, d1 - d3);
+    return {1 - t, t, 0};
+  }
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+    const double t = share(d2, d2 - d6);
+    return {1 - t, 0, t};
+  }
+  if (va <= 0 && d4 >= d3 && d5 >= d6) {
+    const double t = share(d4 - d3, (d4 - d3) + (d5 - d6));
+    return {0, 1 - t, t};
+  }
+  const double sum = va + vb + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
+
+}  // namespace
+
+void settle(const BendableSurface& a,
+            const BendableSurface& b,
+            double softness,
+            int rounds,
+            BentPair& pair) {
+  Bender bend_a(a, b, softness), bend_b(b, a, softness);
+  for (int round = 0; round < rounds; ++round) {
+    parallelFor(2, [&](int side) {
+      if (side == 0)
+        bend_a.pull(pair.maps.forward, pair.bent_a);
+      else
+        bend_b.pull(pair.maps.backward, pair.bent_b);
+    });
+    const FeaturePair of = featuresOf(a, b, softness, pair);
+    pair.maps = {slide(a, of.a, b, of.b, pair.maps.forward),
+                 slide(b, of.b, a, of.a, pair.maps.backward)};
+  }
+}
+
+BentPair carryUp(const TriangleMesh& a,
+                 const ReducedMesh& reduced_a,
+                 const BendableSurface& work_a,
+                 const TriangleMesh& b,
+                 const ReducedMesh& reduced_b,
+                 const BendableSurface& work_b,
+                 const BentPair& pair) {
+  const auto matches =
+      [](const ReducedMesh& from, const std::vector<int>& map, const ReducedMesh& to) {
+        std::vector<int> full(from.nearest.size());
+        for (std::size_t v = 0; v < full.size(); ++v) full[v] = to.vertex[map[from.nearest[v]]];
+        return full;
+      };
+  return {{matches(reduced_a, pair.maps.forward, reduced_b),
+           matches(reduced_b, pair.maps.backward, reduced_a)},
+          prolong(a, reduced_a, work_a, pair.bent_a),
+          prolong(b, reduced_b, work_b, pair.bent_b)};
+}
+
+std::vector<FacePoint> placesOnFaces(const BendableSurface& a,
+                                     const BendableSurface& b,
+                                     double softness,
+                                     const BentPair& pair) {
+  const FeaturePair of = featuresOf(a, b, softness, pair);
+  std::vector<std::vector<int>> faces_at(b.mesh.vertices.rows());
+  for (int f = 0; f < b.mesh.faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) faces_at[b.mesh.faces(f, k)].push_back(f);
+  std::vector<FacePoint> places(a.mesh.vertices.rows());
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    using Column = Eigen::Matrix<double, 12, 1>;
+    const Column p = of.a.col(static_cast<int>(v)).cast<double>();
+    double least = std::numeric_limits<double>::infinity();
+    for (int f : faces_at[pair.maps.forward[v]]) {
+      const auto corner = [&](int k) -> Column {
+        return of.b.col(b.mesh.faces(f, k)).cast<double>();
+      };
+      const Column x = corner(0), y = corner(1), z = corner(2);
+      const Eigen::Vector3d at = nearestInTriangle<Column>(p, x, y, z);
+      const double distance = (at[0] * x + at[1] * y + at[2] * z - p).squaredNorm();
+      if (distance < least) {
+        least = distance;
+        places[v] = {f, at};
+      }
+    }
+  }
+  return places;
+}
+
+}  // namespace posture

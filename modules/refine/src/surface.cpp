@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/mesh/normals.h>
+#include <posture/refine/surface.h>
+
+#include <utility>
+
+namespace posture {
+
+BendableSurface::BendableSurface(TriangleMesh surface)
+    : mesh(std::move(surface)),
+      normals(vertexNormals(mesh)),
+      neighbors(mesh.faces, static_cast<int>(mesh.vertices.rows())),
+      on_boundary(boundaryVertices(mesh.faces, static_cast<int>(mesh.vertices.rows()))),
+      laplacian(cotangentLaplacian(mesh)),
+      arap(mesh, laplacian) {}
+
+SpectralSurface::SpectralSurface(TriangleMesh surface, const Matrix& basis, Vector values)
+    : BendableSurface(std::move(surface)),
+      functions(basis.cast<float>()),
+      eigenvalues(std::move(values)),
+      gram(functions.transpose() * (laplacian.mass.cast<float>().asDiagonal() * functions)) {
+  require(functions.rows() == mesh.vertices.rows() && functions.cols() == eigenvalues.size(),
+          "SpectralSurface: one row a vertex, one eigenvalue a function");
+}
+
+}  // namespace posture
