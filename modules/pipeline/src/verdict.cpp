@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace posture {
@@ -12,6 +13,28 @@ namespace {
 /// Mean consistency of distances under the chosen candidate, below which two shapes are not taken
 /// for one body: docs/decisions.md has the measurements it lies between.
 constexpr double LEAST_CONSISTENCY = 0.855;
+
+/// The score of a map where same and different bodies are equally likely, and how fast that turns:
+/// docs/decisions.md has the measurements.
+constexpr double EVEN_SCORE = -7.5, SCORE_WIDTH = 0.7;
+
+/// Below it the answer is called undecided.
+constexpr double LEAST_TRUST = 0.5;
+
+/// How likely it is, by its score alone, that a map is between poses of one body.
+double likenessOf(double score) { return 1 / (1 + std::exp((score - EVEN_SCORE) / SCORE_WIDTH)); }
+
+/// By how much the best answer's score is ahead of the next different one's; infinity: there is
+/// none.
+double marginOf(const RegistrationResult& result) {
+  return result.alternatives.size() > 1
+             ? result.alternatives[1].score - result.alternatives[0].score
+             : std::numeric_limits<double>::infinity();
+}
+
+/// How likely it is that the better of two answers is the right one: even at a margin of 0.35, as
+/// scores of one answer differ by that much between starts.
+double decisionOf(double margin) { return 1 - std::exp(-2 * margin); }
 
 /// With one decimal: a figure just below the limit must not read like it.
 std::string percent(double share) {
@@ -32,18 +55,24 @@ std::string mappedMessage(const RegistrationResult& result) {
 }  // namespace
 
 double trustIn(const RegistrationResult& result) {
-  const double margin = result.alternatives.size() > 1
-                            ? result.alternatives[1].score - result.alternatives[0].score
-                            : 4;
-  return 1 / (1 + std::exp(result.score + 7)) * (1 - std::exp(-2 * margin));
+  return likenessOf(result.score) * decisionOf(marginOf(result));
 }
 
 void giveVerdict(RegistrationResult& result) {
-  result.status = result.trust >= 0.5 ? Status::REGISTERED : Status::UNDECIDED;
+  result.status = result.trust >= LEAST_TRUST ? Status::REGISTERED : Status::UNDECIDED;
   if (result.status == Status::REGISTERED)
     result.message = mappedMessage(result);
+  else if (likenessOf(result.score) < LEAST_TRUST)
+    result.message =
+        "source and target do not look like one body in two poses: the best map between them is "
+        "trusted to " +
+        percent(result.trust) + " only";
   else
-    result.message = "source and target do not look like one body in two poses";
+    result.message = "the data do not decide between answers that lie " +
+                     percent(result.alternatives[1].gap) +
+                     " of the body's size (square root of its area) apart in the mean; the better "
+                     "one is trusted to " +
+                     percent(result.trust);
 }
 
 void giveVerdictWithoutFinalist(const GivenShape& source, RegistrationResult& result) {
