@@ -90,11 +90,12 @@ TEST(RegisterShapes, theBestAnswerIsChosenAndTheOthersDiffer) {
   options.refine_alternatives = true;
   const RegistrationResult result = registerShapes(body(0).mesh, body(1).mesh, options);
   ASSERT_EQ(result.chosen, 0);
-  EXPECT_EQ(result.alternatives[0].gap, 0);
+  const double same = result.alternatives[0].gap;
+  EXPECT_LT(same, 0.05);
   for (std::size_t k = 1; k < result.alternatives.size(); ++k) {
     const AlternativeSummary& other = result.alternatives[k];
     EXPECT_GE(other.score, result.alternatives[k - 1].score);
-    EXPECT_GT(other.gap, 0.01);
+    EXPECT_GT(other.gap, same);
     EXPECT_GT(other.orientation, 0);
     EXPECT_EQ(other.correspondence.on_target.size(), body(0).mesh.vertices.rows());
   }

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -50,7 +51,9 @@ struct Arap::Impl {
   Vector mass;
 
   std::vector<Eigen::Matrix3d> rotations(const Points& p) const;
-  Points rigidPull(const std::vector<Eigen::Matrix3d>& r) const;
+  Points rigidPull(const std::vector<Eigen::Matrix3d>& r, const Vector& stiffness) const;
+  Vector cellStiffness(const Points& p) const;
+  Sparse weightsWith(const Vector& stiffness) const;
   double energy(const Points& p, const std::vector<Eigen::Matrix3d>& r) const;
 };
 
@@ -68,16 +71,60 @@ std::vector<Eigen::Matrix3d> Arap::Impl::rotations(const Points& p) const {
 }
 
 /// The right-hand side the rotated edges at rest make.
-Points Arap::Impl::rigidPull(const std::vector<Eigen::Matrix3d>& r) const {
+/// Weights by which squares act like the Charbonnier function of each vertex's strain, whose scale
+/// is the median strain: lengths add up beyond it instead of squares.
+Vector Arap::Impl::cellStiffness(const Points& p) const {
+  const std::vector<Eigen::Matrix3d> r = rotations(p);
+  Vector strain = Vector::Zero(rest.rows());
+  for (int i = 0; i < rest.rows(); ++i) {
+    double change = 0, length = 0;
+    for (Sparse::InnerIterator it(weights, i); it; ++it) {
+      const int j = static_cast<int>(it.row());
+      if (j == i) continue;
+      const Eigen::Vector3d bent = (p.row(i) - p.row(j)).transpose();
+      const Eigen::Vector3d rigid = r[i] * (rest.row(i) - rest.row(j)).transpose();
+      change -= it.value() * (bent - rigid).squaredNorm();
+      length -= it.value() * rigid.squaredNorm();
+    }
+    if (length > 0) strain[i] = change / length;
+  }
+  std::vector<double> sorted(strain.data(), strain.data() + strain.size());
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  constexpr double RIGID = 1e-12;  // all of it rigid: no strain stands out
+  return (1 + strain.array() / std::max(RIGID, *middle)).rsqrt();
+}
+
+Points Arap::Impl::rigidPull(const std::vector<Eigen::Matrix3d>& r, const Vector& stiffness) const {
   Points b = Points::Zero(rest.rows(), 3);
   for (int i = 0; i < rest.rows(); ++i)
     for (Sparse::InnerIterator it(weights, i); it; ++it) {
       const int j = static_cast<int>(it.row());
       if (j != i)
-        b.row(i) -= 0.5 * it.value() *
-                    ((r[i] + r[j]) * (rest.row(i) - rest.row(j)).transpose()).transpose();
+        b.row(i) -=
+            0.5 * it.value() *
+            ((stiffness[i] * r[i] + stiffness[j] * r[j]) * (rest.row(i) - rest.row(j)).transpose())
+                .transpose();
     }
   return b;
+}
+
+/// The weights with each vertex's share of an edge multiplied by its stiffness.
+Sparse Arap::Impl::weightsWith(const Vector& stiffness) const {
+  Sparse scaled = weights;
+  for (int j = 0; j < scaled.outerSize(); ++j) {
+    double sum = 0, *diagonal = nullptr;
+    for (Sparse::InnerIterator it(scaled, j); it; ++it) {
+      if (it.row() == j) {
+        diagonal = &it.valueRef();
+        continue;
+      }
+      it.valueRef() *= 0.5 * (stiffness[it.row()] + stiffness[j]);
+      sum -= it.value();
+    }
+    *diagonal = sum;
+  }
+  return scaled;
 }
 
 double Arap::Impl::energy(const Points& p, const std::vector<Eigen::Matrix3d>& r) const {
@@ -123,7 +170,8 @@ std::vector<Eigen::Matrix3d> Arap::rotations(const Points& bent) const {
 }
 
 struct Arap::Attraction::Impl {
-  Vector strength;
+  Vector strength;   // of each goal
+  Vector stiffness;  // of each vertex's surroundings
   Solver solver;
 };
 
@@ -132,7 +180,9 @@ Arap::Attraction::~Attraction() = default;
 Arap::Attraction::Attraction(Attraction&&) noexcept = default;
 Arap::Attraction& Arap::Attraction::operator=(Attraction&&) noexcept = default;
 
-Arap::Attraction Arap::attract(double softness, const Vector& confidence) const {
+Arap::Attraction Arap::attract(double softness,
+                               const Vector& confidence,
+                               const Points& bent) const {
   require(confidence.size() == 0 || confidence.size() == impl_->mass.size(),
           "Arap: one confidence a vertex");
   auto attraction = std::make_unique<Attraction::Impl>();
@@ -140,7 +190,9 @@ Arap::Attraction Arap::attract(double softness, const Vector& confidence) const 
   constexpr double TRACE = 1e-9;
   attraction->strength = softness * impl_->mass;
   if (confidence.size() > 0) attraction->strength.array() *= confidence.array().max(TRACE);
-  Sparse system = impl_->weights;
+  attraction->stiffness =
+      bent.rows() > 0 ? impl_->cellStiffness(bent) : Vector::Ones(impl_->mass.size());
+  Sparse system = impl_->weightsWith(attraction->stiffness);
   system.diagonal() += attraction->strength;
   attraction->solver.compute(system);
   if (attraction->solver.info() != Eigen::Success)
@@ -159,7 +211,8 @@ Arap::Result Arap::pull(const Points& start,
   result.vertices = start;
   std::vector<Eigen::Matrix3d> r = impl_->rotations(start);
   for (int i = 0; i < iterations; ++i) {
-    result.vertices = attraction.impl_->solver.solve(impl_->rigidPull(r) + pull);
+    result.vertices =
+        attraction.impl_->solver.solve(impl_->rigidPull(r, attraction.impl_->stiffness) + pull);
     r = impl_->rotations(result.vertices);
   }
   result.energy = impl_->energy(result.vertices, r);

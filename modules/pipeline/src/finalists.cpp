@@ -27,13 +27,62 @@ const std::vector<int> FINE_SIZES{40, 55, 70, 85, 100, 115, 130, 145, 160, 175, 
 /// A soft surface slides far, a stiff one keeps what is known: which of the two ways down is better
 /// depends on how isometric the pair is, and the score tells.
 const std::vector<std::vector<double>> STIFFENINGS{{0.1, 0.3, 1}, {0.03, 0.1, 0.3, 1}};
-constexpr int ROUNDS = 10;
+constexpr int ROUNDS = 6;
+
+/// Parts exchanged between finalists: at least so many vertices of a coarse mesh, so many tried at
+/// once, and so often.
+constexpr int LEAST_PART = 8, MOST_EXCHANGES = 3;
+constexpr std::size_t MOST_MIXTURES = 8;
+
+/// Less is what the score of one map changes by from one bending to the next.
+constexpr double LEAST_GAIN = 0.1;
 
 Points imagesOf(const SpectralSurface& surface, const std::vector<int>& matches) {
   Points images(matches.size(), 3);
   for (std::size_t i = 0; i < matches.size(); ++i)
     images.row(i) = surface.mesh.vertices.row(matches[i]);
   return images;
+}
+
+/// Connected parts of the source where two maps lead to different places, at most half of it each.
+std::vector<std::vector<int>> differingParts(const SpectralSurface& source,
+                                             const SpectralSurface& target,
+                                             const std::vector<int>& x,
+                                             const std::vector<int>& y,
+                                             double gap) {
+  const int n = static_cast<int>(x.size());
+  std::vector<char> open(n);
+  for (int v = 0; v < n; ++v)
+    open[v] = (target.mesh.vertices.row(x[v]) - target.mesh.vertices.row(y[v])).norm() > gap;
+  std::vector<std::vector<int>> parts;
+  for (int start = 0; start < n; ++start) {
+    if (!open[start]) continue;
+    std::vector<int> part{start};
+    open[start] = 0;
+    for (std::size_t i = 0; i < part.size(); ++i)
+      for (const int* w = source.neighbors.begin(part[i]); w != source.neighbors.end(part[i]); ++w)
+        if (open[*w]) {
+          open[*w] = 0;
+          part.push_back(*w);
+        }
+    if (static_cast<int>(part.size()) >= LEAST_PART && 2 * static_cast<int>(part.size()) <= n)
+      parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+/// `base` with `part` of the source, and what is mapped there from the target, as in `donor`.
+VertexMaps withPart(const VertexMaps& base, const VertexMaps& donor, const std::vector<int>& part) {
+  VertexMaps mixed = base;
+  std::vector<char> inside(base.forward.size(), 0);
+  for (int v : part) {
+    inside[v] = 1;
+    mixed.forward[v] = donor.forward[v];
+  }
+  for (std::size_t t = 0; t < mixed.backward.size(); ++t)
+    if (inside[donor.backward[t]] || inside[base.backward[t]])
+      mixed.backward[t] = donor.backward[t];
+  return mixed;
 }
 
 template <class Scored>
@@ -76,6 +125,42 @@ std::vector<Finalist> registerFinalists(const SpectralSurface& source,
   return finalists;
 }
 
+void exchangeParts(const SpectralSurface& source,
+                   const SpectralSurface& target,
+                   double gap,
+                   std::vector<Finalist>& finalists) {
+  for (int round = 0; round < MOST_EXCHANGES && !finalists.empty(); ++round) {
+    const VertexMaps& base = finalists.front().maps;
+    std::vector<VertexMaps> mixed;
+    for (const Finalist& donor : finalists)
+      for (const std::vector<int>& part :
+           differingParts(source, target, base.forward, donor.maps.forward, gap)) {
+        VertexMaps candidate = withPart(base, donor.maps, part);
+        // Starts of one candidate often end in the same place.
+        const bool known = std::any_of(mixed.begin(), mixed.end(), [&](const VertexMaps& other) {
+          return differingParts(source, target, candidate.forward, other.forward, gap).empty();
+        });
+        if (!known && mixed.size() < MOST_MIXTURES) mixed.push_back(std::move(candidate));
+      }
+    std::vector<MapScore> scores(mixed.size());
+    parallelFor(static_cast<int>(mixed.size()), [&](int i) {
+      mixed[i] = bend(source, target, STARTS.back(), mixed[i]);
+      scores[i] = scoreMaps(source, target, mixed[i]);
+    });
+    int best = -1;
+    double least = finalists.front().score.total() - LEAST_GAIN;
+    for (std::size_t i = 0; i < mixed.size(); ++i)
+      if (scores[i].total() < least) {
+        least = scores[i].total();
+        best = static_cast<int>(i);
+      }
+    if (best < 0) return;
+    if (round == 0) finalists.insert(finalists.begin(), finalists.front());
+    finalists.front().maps = mixed[best];
+    finalists.front().score = scores[best];
+  }
+}
+
 double gapBetween(const SpectralSurface& target, const VertexMaps& x, const VertexMaps& y) {
   double sum = 0;
   for (std::size_t v = 0; v < x.forward.size(); ++v)
@@ -115,6 +200,7 @@ std::vector<RefinedMap> refineFinalists(const SpectralSurface& coarse_source,
   std::vector<RefinedMap> refined(finalists.size() * STIFFENINGS.size());
   parallelFor(static_cast<int>(refined.size()), [&](int i) {
     const VertexMaps& start = sharp[i / STIFFENINGS.size()];
+    refined[i].finalist = i / static_cast<int>(STIFFENINGS.size());
     BentPair& pair = refined[i].pair;
     pair = {start, imagesOf(target, start.forward), imagesOf(source, start.backward)};
     for (double share : STIFFENINGS[i % STIFFENINGS.size()])

@@ -27,6 +27,15 @@ std::vector<Finalist> registerFinalists(const SpectralSurface& source,
                                         const SampledShape& target_samples,
                                         const std::vector<SampleMap>& pool);
 
+/// Where another finalist differs from the best one in a part of the body only - a limb turned the
+/// wrong way round - takes that part from it if the whole then scores better. Does so until
+/// nothing gets better; the improved finalist comes first, before the one it was made of.
+/// \param gap  how far apart two places are not the same any more, in mesh units.
+void exchangeParts(const SpectralSurface& source,
+                   const SpectralSurface& target,
+                   double gap,
+                   std::vector<Finalist>& finalists);
+
 /// Mean distance on the target between where two maps of the coarse meshes take the source's
 /// vertices, straight: no unit, as the body's area is about one.
 double gapBetween(const SpectralSurface& target, const VertexMaps& x, const VertexMaps& y);
@@ -39,6 +48,7 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
 
 /// A map between the work meshes with what speaks against it.
 struct RefinedMap {
+  int finalist = 0;  ///< index of the one it was made of
   BentPair pair;
   MapScore score;
 };

@@ -38,6 +38,14 @@ ShapeSummary summarize(const GivenShape& given, const RefinedShape& shape) {
   return summary;
 }
 
+/// The answer that the final map is a refinement of.
+int nearestAnswer(const std::vector<AlternativeSummary>& alternatives) {
+  const auto nearest = std::min_element(alternatives.begin(),
+                                        alternatives.end(),
+                                        [](const auto& a, const auto& b) { return a.gap < b.gap; });
+  return static_cast<int>(nearest - alternatives.begin());
+}
+
 double rootArea(const GivenShape& shape) { return std::sqrt(faceAreas(shape.clean.mesh).sum()); }
 
 }  // namespace
@@ -89,7 +97,10 @@ RegistrationResult refinedMethod(const GivenShape& source_given,
   const SpectralSurface source_coarse = source.coarseSurface(),
                         target_coarse = target.coarseSurface();
   const std::vector<Finalist> finalists = clock.stage("bending", 0.15, [&] {
-    return registerFinalists(source_coarse, target_coarse, source.samples, target.samples, pool);
+    std::vector<Finalist> registered =
+        registerFinalists(source_coarse, target_coarse, source.samples, target.samples, pool);
+    exchangeParts(source_coarse, target_coarse, 2 * target.samples.spacing, registered);
+    return registered;
   });
   RegistrationResult result;
   result.source = summarize(source_given, source);
@@ -121,15 +132,16 @@ RegistrationResult refinedMethod(const GivenShape& source_given,
     return toFullResolution(source, source_work, target, target_work, map.pair);
   };
   clock.stage("full resolution", 0.1, [&] {
+    const VertexMaps& winner = finalists[best.finalist].maps;
     for (int i : distinct) {
       if (static_cast<int>(result.alternatives.size()) >= MOST_ALTERNATIVES) break;
       AlternativeSummary summary = summarize(finalists[i]);
-      summary.gap = gapBetween(target_coarse, finalists.front().maps, finalists[i].maps);
+      summary.gap = gapBetween(target_coarse, winner, finalists[i].maps);
       summary.target_vertex =
           coarseToInput(finalists[i].maps, source_given, source, target_given, target);
       result.alternatives.push_back(std::move(summary));
     }
-    result.chosen = 0;
+    result.chosen = nearestAnswer(result.alternatives);
     result.score = best.score.total();
     result.trust = trustIn(result);
     const FullMap full = complete(best);
@@ -146,9 +158,10 @@ RegistrationResult refinedMethod(const GivenShape& source_given,
   });
   if (options.refine_alternatives)
     clock.stage("alternatives", 0.0, [&] {
-      for (std::size_t k = 1; k < result.alternatives.size(); ++k) {
+      for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
+        if (static_cast<int>(k) == result.chosen) continue;
         AlternativeSummary& other = result.alternatives[k];
-        const double likelihood = std::exp(result.alternatives.front().score - other.score);
+        const double likelihood = std::exp(std::min(0.0, -marginBefore(result, other)));
         other.correspondence = correspondenceOf(source_given,
                                                 source,
                                                 target_given,

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace posture {
@@ -24,17 +23,19 @@ constexpr double LEAST_TRUST = 0.5;
 /// How likely it is, by its score alone, that a map is between poses of one body.
 double likenessOf(double score) { return 1 / (1 + std::exp((score - EVEN_SCORE) / SCORE_WIDTH)); }
 
-/// By how much the best answer's score is ahead of the next different one's; infinity: there is
-/// none.
-double marginOf(const RegistrationResult& result) {
-  return result.alternatives.size() > 1
-             ? result.alternatives[1].score - result.alternatives[0].score
-             : std::numeric_limits<double>::infinity();
+/// The answer most likely next to the chosen one; -1: there is none.
+int rivalOf(const RegistrationResult& result) {
+  int rival = -1;
+  for (int k = 0; k < static_cast<int>(result.alternatives.size()); ++k)
+    if (k != result.chosen &&
+        (rival < 0 || result.alternatives[k].score < result.alternatives[rival].score))
+      rival = k;
+  return rival;
 }
 
 /// How likely it is that the better of two answers is the right one: even at a margin of 0.35, as
 /// scores of one answer differ by that much between starts.
-double decisionOf(double margin) { return 1 - std::exp(-2 * margin); }
+double decisionOf(double margin) { return 1 - std::exp(-2 * std::max(0.0, margin)); }
 
 /// With one decimal: a figure just below the limit must not read like it.
 std::string percent(double share) {
@@ -54,8 +55,15 @@ std::string mappedMessage(const RegistrationResult& result) {
 
 }  // namespace
 
+double marginBefore(const RegistrationResult& result, const AlternativeSummary& other) {
+  return other.score - result.alternatives[result.chosen].score;
+}
+
 double trustIn(const RegistrationResult& result) {
-  return likenessOf(result.score) * decisionOf(marginOf(result));
+  const int rival = rivalOf(result);
+  const double decision =
+      rival < 0 ? 1 : decisionOf(marginBefore(result, result.alternatives[rival]));
+  return likenessOf(result.score) * decision;
 }
 
 void giveVerdict(RegistrationResult& result) {
@@ -69,7 +77,7 @@ void giveVerdict(RegistrationResult& result) {
         percent(result.trust) + " only";
   else
     result.message = "the data do not decide between answers that lie " +
-                     percent(result.alternatives[1].gap) +
+                     percent(result.alternatives[rivalOf(result)].gap) +
                      " of the body's size (square root of its area) apart in the mean; the better "
                      "one is trusted to " +
                      percent(result.trust);

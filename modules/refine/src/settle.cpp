@@ -87,6 +87,9 @@ FeaturePair featuresOf(const BendableSurface& a,
           features(pair.bent_b, bent_normals_b, b.mesh.vertices, b.normals, normal_weight)};
 }
 
+/// How often it is looked anew where a surface is strained.
+constexpr int RENEWAL = 3;
+
 /// Bends one surface further and further onto another one.
 class Bender {
  public:
@@ -95,8 +98,8 @@ class Bender {
 
   void pull(const std::vector<int>& matches, Points& bent) {
     Vector believed = belief(from_, to_, matches);
-    if (!attraction_ || believed != believed_) {
-      attraction_ = from_.arap.attract(softness_, believed);
+    if (pulls_++ % RENEWAL == 0 || believed != believed_) {
+      attraction_ = from_.arap.attract(softness_, believed, bent);
       believed_ = std::move(believed);
     }
     const Points goals = rowsAt(to_.mesh.vertices, matches);
@@ -106,6 +109,7 @@ class Bender {
  private:
   const BendableSurface &from_, &to_;
   double softness_;
+  int pulls_ = 0;
   Vector believed_;
   std::optional<Arap::Attraction> attraction_;
 };

@@ -41,7 +41,10 @@ class Arap {
   /// \param softness  in 1 / squared mesh units: features of a size below 1 / sqrt(softness) keep
   ///        their shape, larger ones follow the goals.
   /// \param confidence  n, >= 0; empty: all 1.
-  Attraction attract(double softness, const Vector& confidence = {}) const;
+  /// \param bent  n x 3: how the surface lies so far; it then yields more easily where it is
+  ///        strained already, as bodies do at their joints, and stays stiffer elsewhere. Empty:
+  ///        equally stiff everywhere.
+  Attraction attract(double softness, const Vector& confidence = {}, const Points& bent = {}) const;
 
   struct Result {
     Points vertices;    ///< n x 3
