@@ -46,7 +46,7 @@ No markers, no template, no starting alignment, no parameters.
   mean error                    $(figure 'mean error x100') % of the square root of the surface's area
   left and right                $sides
 
-  demo-output/correspondence.png   source and target; what corresponds has one colour, grey is rejected
+  demo-output/correspondence.png   source and target; what corresponds has one colour, grey has none
   demo-output/registered.png       the source, bent onto the target, beside the target
-  demo-output/report.html          all candidates and figures; the files beside it are in docs/formats.md
+  demo-output/report.html          all figures; the files beside it are in docs/formats.md
 END
