@@ -34,7 +34,7 @@ Points placesOfInput(const GivenShape& source,
                      const TriangleMesh& mesh,
                      const std::vector<char>& known,
                      const Points& places,
-                     double scale) {
+                     const Points& input) {
   std::vector<int> loose, anchor;
   for (int v = 0; v < source.input.vertices.rows(); ++v)
     if (source.clean.offset[v] > 0) {
@@ -42,8 +42,7 @@ Points placesOfInput(const GivenShape& source,
       anchor.push_back(source.clean.clean_vertex[v]);
     }
   Points extra(loose.size(), 3);
-  for (std::size_t i = 0; i < loose.size(); ++i)
-    extra.row(i) = scale * source.input.vertices.row(loose[i]);
+  for (std::size_t i = 0; i < loose.size(); ++i) extra.row(i) = input.row(loose[i]);
   const Points moved = followMatches(mesh, known, places, extra, anchor);
 
   Points of_input(source.input.vertices.rows(), 3);

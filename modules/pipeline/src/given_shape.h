@@ -27,11 +27,12 @@ std::vector<int> toInput(const std::vector<int>& map,
 /// Places of all source vertices as given, from those of the clean ones: loose parts make the
 /// motion of the surface around the vertex they follow.
 /// \param known, places  of the clean vertices, as for followMatches.
-/// \param mesh  the clean source, scaled by `scale` to the unit of the places.
+/// \param mesh  the clean source in the unit of the places.
+/// \param input  all source vertices, in the frame of `mesh`.
 Points placesOfInput(const GivenShape& source,
                      const TriangleMesh& mesh,
                      const std::vector<char>& known,
                      const Points& places,
-                     double scale);
+                     const Points& input);
 
 }  // namespace posture

@@ -65,7 +65,7 @@ Points deform(const Hypothesis& h, const Side& source, const Side& target, doubl
     known[v] = 1;
     places.row(v) = target.shape.mesh.vertices.row(t);
   }
-  return placesOfInput(source.given, mesh, known, places, scale);
+  return placesOfInput(source.given, mesh, known, places, scale * source.given.input.vertices);
 }
 
 }  // namespace

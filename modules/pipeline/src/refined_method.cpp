@@ -6,6 +6,7 @@
 #include <posture/mesh/edges.h>
 
 #include "finalists.h"
+#include "pose.h"
 #include "refined_pictures.h"
 #include "refined_result.h"
 #include "refined_shape.h"
@@ -50,20 +51,25 @@ double rootArea(const GivenShape& shape) { return std::sqrt(faceAreas(shape.clea
 
 }  // namespace
 
-RegistrationResult refinedMethod(const GivenShape& source_given,
-                                 const GivenShape& target_given,
+RegistrationResult refinedMethod(const GivenShape& source_cleaned,
+                                 const GivenShape& target_cleaned,
                                  const RegistrationOptions& options,
                                  StageClock& clock) {
   // Lengths in square roots of the target's area: the k-th eigenvalue is then near 4 pi k.
-  const double target_unit = 1 / rootArea(target_given);
-  double source_unit = 1 / rootArea(source_given);
+  // Each shape in a frame and an order of its own: the answer does not depend on those it came in.
+  Pose source_pose = poseOf(source_cleaned.clean.mesh, 1 / rootArea(source_cleaned));
+  const Pose target_pose = poseOf(target_cleaned.clean.mesh, 1 / rootArea(target_cleaned));
+  const CleanMesh source_ordered = inOrder(source_cleaned.clean, source_pose);
+  const CleanMesh target_ordered = inOrder(target_cleaned.clean, target_pose);
+  const GivenShape source_given{source_cleaned.input, source_ordered};
+  const GivenShape target_given{target_cleaned.input, target_ordered};
   RefinedShape source, target;
 
   // Evenly spread subsets of the vertices: all with all can be compared on them.
   clock.stage("reduction", 0.08, [&] {
     parallelFor(2, [&](int side) {
-      if (side == 0) source = reduceSide("source", source_given.clean.mesh, source_unit);
-      if (side == 1) target = reduceSide("target", target_given.clean.mesh, target_unit);
+      if (side == 0) source = reduceSide("source", posed(source_ordered.mesh, source_pose));
+      if (side == 1) target = reduceSide("target", posed(target_ordered.mesh, target_pose));
     });
     return 0;
   });
@@ -91,7 +97,7 @@ RegistrationResult refinedMethod(const GivenShape& source_given,
   // mirrored one as well.
   const double ratio = distanceRatio(source.samples, target.samples, pool.front());
   rescale(source, ratio);
-  source_unit *= ratio;
+  source_pose.unit *= ratio;
 
   // Those that keep the outside out, bent onto the target; the least strained first.
   const SpectralSurface source_coarse = source.coarseSurface(),
@@ -105,7 +111,7 @@ RegistrationResult refinedMethod(const GivenShape& source_given,
   RegistrationResult result;
   result.source = summarize(source_given, source);
   result.target = summarize(target_given, target);
-  result.scale = source_unit / target_unit;
+  result.scale = source_pose.unit / target_pose.unit;
   if (finalists.empty()) {
     giveVerdictWithoutFinalist(source_given, result);
     return result;
@@ -147,12 +153,12 @@ RegistrationResult refinedMethod(const GivenShape& source_given,
     const FullMap full = complete(best);
     result.correspondence =
         correspondenceOf(source_given, source, target_given, full, result.trust);
-    result.deformed = placesOfInput(source_given,
-                                    source.full,
-                                    std::vector<char>(full.places.size(), 1),
-                                    full.pair.bent_a,
-                                    source_unit) /
-                      target_unit;
+    result.deformed =
+        target_pose.outOf(placesOfInput(source_given,
+                                        source.full,
+                                        std::vector<char>(full.places.size(), 1),
+                                        full.pair.bent_a,
+                                        source_pose.into(source_given.input.vertices)));
     giveVerdict(result);
     return 0;
   });

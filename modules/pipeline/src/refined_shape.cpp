@@ -39,13 +39,13 @@ SpectralSurface RefinedShape::coarseSurface() const {
   return {coarse.mesh, rowsAt(basis.functions, coarse.vertex), basis.eigenvalues};
 }
 
-RefinedShape reduceSide(const std::string& side, const TriangleMesh& clean, double scale) {
-  const auto n = clean.vertices.rows();
+RefinedShape reduceSide(const std::string& side, const TriangleMesh& full) {
+  const auto n = full.vertices.rows();
   if (n < LEAST_VERTICES)
     throw InputError(side + " has only " + std::to_string(n) +
                      " usable vertices: too few to tell a shape");
   RefinedShape shape;
-  shape.full = {scale * clean.vertices, clean.faces};
+  shape.full = full;
   shape.work = reduceMesh(shape.full, WORK_VERTICES);
   shape.coarse = reduceMesh(shape.work.mesh, COARSE_VERTICES);
   return shape;

@@ -26,7 +26,7 @@ struct RefinedShape {
 };
 
 /// Reduces the mesh. \throws InputError  too few vertices to tell a shape; names the side.
-RefinedShape reduceSide(const std::string& side, const TriangleMesh& clean, double scale);
+RefinedShape reduceSide(const std::string& side, const TriangleMesh& full);
 
 void addSpectrum(RefinedShape& shape);
 void addSamples(RefinedShape& shape);
