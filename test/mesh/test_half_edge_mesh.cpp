@@ -4,9 +4,14 @@
 #include <posture/mesh/edges.h>
 #include <posture/mesh/half_edge_mesh.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
 
 namespace posture {
 namespace {
@@ -94,6 +99,127 @@ TEST(HalfEdgeMesh, doesNotPinchTwoBoundariesTogether) {
   const HalfEdgeMesh mesh(ring, 6);
   EXPECT_FALSE(mesh.canCollapse(1, 3));
   EXPECT_FALSE(mesh.canCollapse(0, 3));
+}
+
+/// What the quadrilateral about the edge of h has for corners: its ends, then the other two.
+std::array<int, 4> quadrilateral(const HalfEdgeMesh& mesh, int h) {
+  return {mesh.origin(h),
+          mesh.target(h),
+          mesh.origin(HalfEdgeMesh::previous(h)),
+          mesh.origin(HalfEdgeMesh::previous(mesh.twin(h)))};
+}
+
+std::set<std::pair<int, int>> edgeSet(const HalfEdgeMesh& mesh) {
+  std::set<std::pair<int, int>> edges;
+  for (const Edge& e : meshEdges(mesh.faces())) edges.insert({e.first, e.second});
+  return edges;
+}
+
+/// Flips and collapses edges at random; the topology must stay what it was.
+void changeAtRandom(const TriangleMesh& input, std::uint64_t seed) {
+  HalfEdgeMesh mesh = halfEdges(input);
+  const int euler = eulerNumber(mesh);
+  Rng rng(seed);
+  int flipped = 0, collapsed = 0;
+  for (int attempt = 0; attempt < 10 * input.vertices.rows(); ++attempt) {
+    const int h = rng.below(mesh.halfEdgeCount());
+    if (!mesh.isLive(h)) continue;
+    const int faces = mesh.liveFaceCount(), vertices = mesh.liveVertexCount();
+    if (rng.uniform() < 0.1) {
+      if (!mesh.canCollapse(mesh.origin(h), mesh.target(h))) continue;
+      mesh.collapse(mesh.origin(h), mesh.target(h));
+      ++collapsed;
+    } else {
+      if (!mesh.canFlip(h)) continue;
+      mesh.flip(h);
+      ++flipped;
+      ASSERT_EQ(mesh.liveFaceCount(), faces);
+      ASSERT_EQ(mesh.liveVertexCount(), vertices);
+    }
+    ASSERT_EQ(mesh.check(), "") << "after " << flipped << " flips, " << collapsed << " collapses";
+    ASSERT_EQ(eulerNumber(mesh), euler);
+  }
+  EXPECT_GT(flipped, input.vertices.rows());
+  EXPECT_GT(collapsed, input.vertices.rows() / 4);
+}
+
+TEST(HalfEdgeMesh, flipsAndCollapsesKeepInvariantsAndEulerNumber) {
+  changeAtRandom(test::sphere(2), 3);
+  changeAtRandom(test::grid(9, 7, 1, 1), 4);
+}
+
+TEST(HalfEdgeMesh, aFlipChangesOneEdgeAndTheNextTakesItBack) {
+  for (const TriangleMesh& input : {test::sphere(2), test::grid(9, 7, 1, 1)}) {
+    HalfEdgeMesh mesh = halfEdges(input);
+    int flipped = 0;
+    for (int h = 0; h < mesh.halfEdgeCount(); ++h) {
+      if (!mesh.canFlip(h)) continue;
+      ++flipped;
+      const std::set<std::pair<int, int>> before = edgeSet(mesh);
+      const auto [a, b, c, d] = quadrilateral(mesh, h);
+      std::set<std::pair<int, int>> expected = before;
+      expected.erase(std::minmax(a, b));
+      expected.insert(std::minmax(c, d));
+      mesh.flip(h);
+      ASSERT_EQ(mesh.check(), "");
+      ASSERT_EQ(edgeSet(mesh), expected);
+      ASSERT_TRUE(mesh.canFlip(h));
+      mesh.flip(h);
+      ASSERT_EQ(mesh.check(), "");
+      ASSERT_EQ(edgeSet(mesh), before);
+    }
+    EXPECT_GT(flipped, input.vertices.rows());
+  }
+}
+
+TEST(HalfEdgeMesh, aFlipKeepsThePlaneCovered) {
+  // A convex quadrilateral: both ways of cutting it face upwards.
+  TriangleMesh square = test::grid(1, 1, 1, 1);
+  HalfEdgeMesh mesh = halfEdges(square);
+  for (int h = 0; h < mesh.halfEdgeCount(); ++h) {
+    if (mesh.twin(h) < 0) continue;
+    mesh.flip(h);
+    square.faces = mesh.faces();
+    for (int f = 0; f < 2; ++f) {
+      const Eigen::Vector3d a = square.vertices.row(square.faces(f, 0)),
+                            b = square.vertices.row(square.faces(f, 1)),
+                            c = square.vertices.row(square.faces(f, 2));
+      EXPECT_EQ((b - a).cross(c - a), Eigen::Vector3d(0, 0, 1));
+    }
+  }
+}
+
+TEST(HalfEdgeMesh, flipsExactlyWhatHasTwoFacesAndNewEndsNotJoined) {
+  // Flips at random make vertices of few neighbours, whose edges cannot all be flipped.
+  for (const TriangleMesh& input : {test::sphere(2), test::grid(9, 7, 1, 1)}) {
+    HalfEdgeMesh mesh = halfEdges(input);
+    Rng rng(5);
+    for (int i = 0; i < 2000; ++i) {
+      const int h = rng.below(mesh.halfEdgeCount());
+      if (mesh.canFlip(h)) mesh.flip(h);
+    }
+    const std::set<std::pair<int, int>> edges = edgeSet(mesh);
+    int joined = 0;
+    for (int h = 0; h < mesh.halfEdgeCount(); ++h) {
+      if (mesh.twin(h) < 0) {
+        EXPECT_FALSE(mesh.canFlip(h)) << "on the boundary";
+        continue;
+      }
+      const auto [a, b, c, d] = quadrilateral(mesh, h);
+      const bool are_joined = edges.count(std::minmax(c, d)) > 0;
+      joined += are_joined;
+      EXPECT_EQ(mesh.canFlip(h), !are_joined);
+    }
+    EXPECT_GT(joined, 10);
+  }
+}
+
+TEST(HalfEdgeMesh, flipsNoEdgeOfATetrahedronNorOfTwoFacesBackToBack) {
+  Faces tetrahedron(4, 3), pillow(2, 3);
+  tetrahedron << 0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2;
+  pillow << 0, 1, 2, 1, 0, 2;
+  for (const HalfEdgeMesh& mesh : {HalfEdgeMesh(tetrahedron, 4), HalfEdgeMesh(pillow, 3)})
+    for (int h = 0; h < mesh.halfEdgeCount(); ++h) EXPECT_FALSE(mesh.canFlip(h));
 }
 
 TEST(CutNonManifold, separatesFinsBowTiesAndDisagreeingFaces) {
