@@ -10,7 +10,8 @@
 namespace posture {
 namespace {
 
-/// Corners of about half a degree and less count as that: a needle must not outweigh a surface.
+/// Faces thinner than a hundredth of their length count as that: a needle must not outweigh a
+/// surface.
 constexpr double STEEPEST_COTANGENT = 100;
 
 }  // namespace
@@ -24,6 +25,14 @@ Laplacian cotangentLaplacian(const TriangleMesh& mesh) {
   // A vertex in no face has its diagonal entry too.
   for (int v = 0; v < n; ++v) entries.emplace_back(v, v, 0.0);
   for (int f = 0; f < mesh.faces.rows(); ++f) {
+    double longest_sq = 0;
+    for (int k = 0; k < 3; ++k) {
+      const int i = mesh.faces(f, k), j = mesh.faces(f, (k + 1) % 3);
+      longest_sq =
+          std::max(longest_sq, (mesh.vertices.row(i) - mesh.vertices.row(j)).squaredNorm());
+    }
+    // The same for all three corners: weights that shrink alike stay positive semi-definite.
+    const double least = longest_sq / STEEPEST_COTANGENT;
     for (int k = 0; k < 3; ++k) {
       const int at = mesh.faces(f, k), i = mesh.faces(f, (k + 1) % 3),
                 j = mesh.faces(f, (k + 2) % 3);
@@ -31,7 +40,6 @@ Laplacian cotangentLaplacian(const TriangleMesh& mesh) {
       const Eigen::Vector3d v = mesh.vertices.row(j) - mesh.vertices.row(at);
       const double twice_area = u.cross(v).norm();
       laplacian.mass[at] += twice_area / 6;
-      const double least = std::max(u.squaredNorm(), v.squaredNorm()) / STEEPEST_COTANGENT;
       if (!(least > 0)) continue;
       const double weight = 0.5 * u.dot(v) / std::max(twice_area, least);
       entries.emplace_back(i, j, -weight);
