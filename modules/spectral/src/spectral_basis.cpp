@@ -8,7 +8,9 @@
 #include <Spectra/SymEigsSolver.h>
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -45,6 +47,83 @@ class InverseOperator {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
 };
 
+/// The operator with what was found already taken to zero.
+class Deflated {
+ public:
+  using Scalar = double;
+
+  Deflated(const InverseOperator& inverse, const Matrix& found)
+      : inverse_(inverse), found_(found) {}
+
+  Eigen::Index rows() const { return inverse_.rows(); }
+  Eigen::Index cols() const { return inverse_.cols(); }
+
+  void perform_op(const double* in, double* out) const {
+    const Vector x = rest(Eigen::Map<const Vector>(in, rows()));
+    Vector y(rows());
+    inverse_.perform_op(x.data(), y.data());
+    Eigen::Map<Vector>(out, rows()) = rest(y);
+  }
+
+ private:
+  Vector rest(const Vector& x) const { return x - found_ * (found_.transpose() * x); }
+
+  const InverseOperator& inverse_;
+  const Matrix& found_;
+};
+
+/// The largest eigenvalues of an operator, decreasing, and its orthonormal eigenvectors.
+struct Pairs {
+  Vector values;
+  Matrix vectors;
+};
+
+/// \param round  how often it was asked for before: what one random vector misses of an eigenvalue
+///        that is there several times, it would miss again.
+template <class Operator>
+Pairs largestPairs(const Operator& op, int count, int round) {
+  const int n = static_cast<int>(op.rows()), krylov = std::min(n, std::max(2 * count, count + 20));
+  Spectra::SymEigsSolver<Operator> solver(const_cast<Operator&>(op), count, krylov);
+  // Not from the constant function: that is a solution, and rounding alone would lead on from
+  // there, not always to an end.
+  Rng rng(round);
+  Vector start(n);
+  for (double& x : start) x = rng.normal();
+  solver.init(start.data());
+  solver.compute(Spectra::SortRule::LargestMagn, 300, 1e-9);
+  if (solver.info() != Spectra::CompInfo::Successful)
+    throw std::runtime_error("spectralBasis: the eigenvalues do not converge");
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+/// How many eigenvalues of the Laplacian lie below `bound`: as many as L - bound M has negative
+/// pivots (Sylvester's law of inertia).
+int countBelow(const Laplacian& laplacian, double bound) {
+  Eigen::SparseMatrix<double> shifted = laplacian.stiffness;
+  shifted.diagonal() -= bound * laplacian.mass;
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(shifted);
+  if (factor.info() != Eigen::Success) return 0;
+  return static_cast<int>((factor.vectorD().array() < 0).count());
+}
+
+/// Takes in pairs that were missed; as many stay as there were.
+void merge(const Pairs& missed, Pairs& pairs) {
+  const auto count = pairs.values.size(), all = count + missed.values.size();
+  Vector values(all);
+  values << pairs.values, missed.values;
+  Matrix vectors(pairs.vectors.rows(), all);
+  vectors << pairs.vectors, missed.vectors;
+  std::vector<Eigen::Index> order(all);
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index i, Eigen::Index j) {
+    return values[i] > values[j];
+  });
+  for (Eigen::Index k = 0; k < count; ++k) {
+    pairs.values[k] = values[order[k]];
+    pairs.vectors.col(k) = vectors.col(order[k]);
+  }
+}
+
 }  // namespace
 
 SpectralBasis spectralBasis(const Laplacian& laplacian, int count) {
@@ -55,21 +134,23 @@ SpectralBasis spectralBasis(const Laplacian& laplacian, int count) {
   // the matrix definite and costs no convergence.
   const double shift = 12.566370614359172 / laplacian.mass.sum();
   const InverseOperator inverse(laplacian, shift);
-  const int krylov = std::min(n, std::max(2 * count, count + 20));
-  Spectra::SymEigsSolver<InverseOperator> solver(
-      const_cast<InverseOperator&>(inverse), count, krylov);
-  // Not from the constant function: that is a solution, and rounding alone would lead on from
-  // there, not always to an end.
-  Rng rng(0);
-  Vector start(n);
-  for (double& x : start) x = rng.normal();
-  solver.init(start.data());
-  solver.compute(Spectra::SortRule::LargestMagn, 300, 1e-9);
-  if (solver.info() != Spectra::CompInfo::Successful)
-    throw std::runtime_error("spectralBasis: the eigenvalues do not converge");
+  Pairs pairs = largestPairs(inverse, count, 0);
+  // A Krylov space holds one function of each eigenvalue. Where a symmetry of the mesh gives it
+  // several, rounding brings in the others, sometimes too late.
+  for (int round = 1;; ++round) {
+    const double last = (1 + 1e-6) * pairs.values[count - 1];
+    const double bound = shift / last - shift;
+    const int found = static_cast<int>((pairs.values.array() > last).count());
+    const int missing = bound > 0 ? countBelow(laplacian, bound) - found : 0;
+    if (missing <= 0) break;
+    const Pairs missed =
+        largestPairs(Deflated(inverse, pairs.vectors), std::min(missing, n - 2), round);
+    if (missed.values[0] <= last) break;
+    merge(missed, pairs);
+  }
   SpectralBasis basis;
-  basis.eigenvalues = (shift * solver.eigenvalues().cwiseInverse().array() - shift).max(0.0);
-  basis.functions = inverse.rootMass().cwiseInverse().asDiagonal() * solver.eigenvectors();
+  basis.eigenvalues = (shift * pairs.values.cwiseInverse().array() - shift).max(0.0);
+  basis.functions = inverse.rootMass().cwiseInverse().asDiagonal() * pairs.vectors;
   return basis;
 }
 
