@@ -166,6 +166,7 @@ Arap::Arap(Arap&&) noexcept = default;
 Arap& Arap::operator=(Arap&&) noexcept = default;
 
 std::vector<Eigen::Matrix3d> Arap::rotations(const Points& bent) const {
+  require(bent.rows() == impl_->rest.rows(), "Arap: one place a vertex");
   return impl_->rotations(bent);
 }
 
@@ -206,6 +207,7 @@ Arap::Result Arap::pull(const Points& start,
                         int iterations) const {
   const auto n = impl_->rest.rows();
   require(start.rows() == n && goals.rows() == n, "Arap: one place and one goal a vertex");
+  require(attraction.impl_->strength.size() == n, "Arap: the attraction is of another surface");
   const Points pull = attraction.impl_->strength.asDiagonal() * goals;
   Result result;
   result.vertices = start;

@@ -12,7 +12,7 @@ namespace posture {
 
 /// Deformation of a surface as rigid as possible around each vertex (Sorkine and Alexa 2007), drawn
 /// towards a place for each vertex:
-///   sum_i sum_j w_ij |(p_i - p_j) - R_i (q_i - q_j)|^2 + softness sum_i c_i m_i |p_i - g_i|^2
+///   1/2 sum_i sum_j w_ij |(p_i - p_j) - R_i (q_i - q_j)|^2 + softness sum_i c_i m_i |p_i - g_i|^2
 /// with q the surface at rest, R_i a rotation, w_ij cotangent weights (negative ones dropped), m_i
 /// areas, g_i the goals and c_i how far each goal is to be believed.
 ///
