@@ -105,15 +105,20 @@ ReducedMesh reduceMesh(const TriangleMesh& mesh, int count) {
   for (int v : connected.input_vertex) stays[v] = 1;
   ReducedMesh result;
   std::vector<int> number(n, -1);
+  const auto take = [&](int v) {
+    number[v] = static_cast<int>(result.vertex.size());
+    result.vertex.push_back(v);
+  };
   for (int v : spread)
-    if (stays[v]) {
-      number[v] = static_cast<int>(result.vertex.size());
-      result.vertex.push_back(v);
-    }
+    if (stays[v]) take(v);
+  // Of several vertices at one place cleaning keeps the first, which need not be the sample.
+  for (int v : connected.input_vertex)
+    if (number[v] < 0) take(v);
   result.nearest.resize(n);
-  std::unique_ptr<PointIndex> index;  // needed where a sample was cut off
+  std::unique_ptr<PointIndex> index;  // needed where a sample was cut off, or no sample reaches
   for (int v = 0; v < n; ++v) {
-    result.nearest[v] = number[spread[samples.nearest[v]]];
+    const int sample = samples.nearest[v];
+    result.nearest[v] = sample >= 0 ? number[spread[sample]] : -1;
     if (result.nearest[v] >= 0) continue;
     if (!index) index = std::make_unique<PointIndex>(verticesOf(mesh, result.vertex));
     result.nearest[v] = index->nearest(mesh.vertices.row(v)).index;
