@@ -39,6 +39,16 @@ TEST(CanonicalForm, doesNotChangeWithTheBend) {
   EXPECT_LT((before - after).cwiseAbs().mean(), 0.1 * meanEdgeLength(gentle));
 }
 
+TEST(CanonicalForm, ofTheSamplesAloneIsTheSame) {
+  const TriangleMesh strip = test::bentStrip(30, 8, 4, 1, 2.0);
+  const Landmarks landmarks = computeLandmarks(strip, FastMarching(strip));
+  const CanonicalForm samples = embedSamples(landmarks), all = computeCanonicalForm(landmarks);
+  EXPECT_EQ(samples.landmarks, all.landmarks);
+  EXPECT_EQ(samples.eigenvalues, all.eigenvalues);
+  EXPECT_EQ(samples.stress, all.stress);
+  EXPECT_EQ(samples.vertices.rows(), 0);
+}
+
 TEST(CanonicalForm, liesInItsPrincipalFrame) {
   const CanonicalForm form = formOf(test::bentStrip(30, 8, 4, 1, 2.0));
   const double count = static_cast<double>(form.landmarks.rows());

@@ -78,6 +78,38 @@ TEST(VoronoiSamples, stopAtTheResolutionOfTheMesh) {
   EXPECT_EQ(distinct.size(), landmarks.vertices.size());
 }
 
+TEST(VoronoiSamples, endAtTheSpacingAskedForAndNoSooner) {
+  const TriangleMesh sphere = test::sphere(4);
+  const FastMarching marching(sphere);
+  std::vector<int> finest;
+  for (double spacing : {0.08, 0.2, 0.5, 1.5}) {
+    const Landmarks samples = voronoiSamples(sphere, marching, 10000, spacing);
+    const int count = static_cast<int>(samples.vertices.size());
+    EXPECT_LE(samples.covering_radius, spacing);
+    EXPECT_GT(voronoiSamples(sphere, marching, count - 1, 0).covering_radius, spacing);
+    // Wherever it ends, the way there is the same.
+    if (finest.empty()) finest = samples.vertices;
+    EXPECT_TRUE(std::equal(samples.vertices.begin(), samples.vertices.end(), finest.begin()));
+  }
+  const Landmarks few = voronoiSamples(sphere, marching, 7, 0.08);
+  EXPECT_EQ(few.vertices, std::vector<int>(finest.begin(), finest.begin() + 7));
+}
+
+TEST(VoronoiSamples, areAllVerticesInAFaceWhenNoSpacingIsAskedFor) {
+  TriangleMesh grid = test::grid(12, 9, 4, 1);
+  const int n = static_cast<int>(grid.vertices.rows());
+  grid.vertices.conservativeResize(n + 1, 3);
+  grid.vertices.row(n) << 9, 9, 9;  // in no face
+  const FastMarching marching(grid);
+  for (int most : {n, n + 1, 10 * n}) {
+    const Landmarks samples = voronoiSamples(grid, marching, most, 0);
+    EXPECT_EQ(samples.covering_radius, 0);
+    ASSERT_EQ(samples.vertices.size(), static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i) EXPECT_EQ(samples.nearest[samples.vertices[i]], i);
+    EXPECT_EQ(samples.nearest[n], -1);
+  }
+}
+
 TEST(VoronoiSamples, eachVertexKnowsTheSampleNearestToIt) {
   const TriangleMesh sphere = test::sphere(3);
   const Landmarks landmarks = computeLandmarks(sphere, FastMarching(sphere));
