@@ -19,10 +19,10 @@ BendableSurface::BendableSurface(TriangleMesh surface)
 SpectralSurface::SpectralSurface(TriangleMesh surface, const Matrix& basis, Vector values)
     : BendableSurface(std::move(surface)),
       functions(basis.cast<float>()),
-      eigenvalues(std::move(values)),
-      gram(functions.transpose() * (laplacian.mass.cast<float>().asDiagonal() * functions)) {
+      eigenvalues(std::move(values)) {
   require(functions.rows() == mesh.vertices.rows() && functions.cols() == eigenvalues.size(),
           "SpectralSurface: one row a vertex, one eigenvalue a function");
+  gram = functions.transpose() * (laplacian.mass.cast<float>().asDiagonal() * functions);
 }
 
 }  // namespace posture
