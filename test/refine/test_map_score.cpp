@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/rng.h>
+#include <posture/refine/map_score.h>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "refine/poses.h"
+#include "support/shapes.h"
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace posture {
+namespace {
+
+VertexMaps shuffled(const SpectralSurface& surface, std::uint64_t seed) {
+  VertexMaps maps = test::identity(surface);
+  Rng rng(seed);
+  const int n = static_cast<int>(maps.forward.size());
+  for (int i = n - 1; i > 0; --i) std::swap(maps.forward[i], maps.forward[rng.below(i + 1)]);
+  for (int v = 0; v < n; ++v) maps.backward[maps.forward[v]] = v;
+  return maps;
+}
+
+TriangleMesh turned(TriangleMesh mesh) {
+  const Eigen::AngleAxisd turn(2.1, Eigen::Vector3d(1, -2, 3).normalized());
+  mesh.vertices =
+      (mesh.vertices * turn.toRotationMatrix().transpose()).rowwise() + Eigen::RowVector3d(4, 5, 6);
+  return mesh;
+}
+
+/// Seen in a mirror, with its outside out.
+TriangleMesh reflected(TriangleMesh mesh) {
+  mesh.vertices.col(0) *= -1;
+  mesh.faces.col(0).swap(mesh.faces.col(1));
+  return mesh;
+}
+
+/// A body without any symmetry.
+TriangleMesh lump() {
+  TriangleMesh mesh = test::sphere(3);
+  mesh.vertices *= Eigen::Vector3d(1, 1.3, 1.8).asDiagonal();
+  mesh.vertices.col(0) += 0.15 * mesh.vertices.col(2).cwiseAbs2();
+  mesh.vertices.col(1) += 0.2 * mesh.vertices.col(0).cwiseProduct(mesh.vertices.col(2));
+  return mesh;
+}
+
+TEST(MapScore, totalCountsEveryTermByItsRatio) {
+  const MapScore score{0.1, 0.2, 0.3, 0.4};
+  EXPECT_NEAR(score.total(), std::log(0.1 * 0.2 * 0.3 * 0.4), 1e-12);
+  for (double MapScore::*term : {&MapScore::bending,
+                                 &MapScore::curvature,
+                                 &MapScore::orthogonality,
+                                 &MapScore::commutator}) {
+    MapScore worse = score;
+    worse.*term *= 2;
+    EXPECT_NEAR(worse.total() - score.total(), std::log(2), 1e-12);
+  }
+}
+
+TEST(MapScore, ofNothingAgainstAMapIsFinite) {
+  EXPECT_TRUE(std::isfinite(MapScore{}.total()));
+  // Nor does one term of next to nothing decide.
+  EXPECT_EQ((MapScore{1e-30, 1, 1, 1}).total(), (MapScore{1e-20, 1, 1, 1}).total());
+}
+
+TEST(ScoreMaps, aRigidMotionHasNothingAgainstIt) {
+  const SpectralSurface a = test::spectralSurface(lump(), 60),
+                        b = test::spectralSurface(turned(lump()), 60);
+  const MapScore score = scoreMaps(a, b, test::identity(a));
+  EXPECT_LT(score.bending, 1e-4);
+  EXPECT_LT(score.curvature, 1e-4);
+  EXPECT_LT(score.orthogonality, 1e-4);
+  EXPECT_LT(score.commutator, 1e-4);
+  for (double term : {score.bending, score.curvature, score.orthogonality, score.commutator})
+    EXPECT_GE(term, -1e-6);
+}
+
+TEST(ScoreMaps, isTheSameBothWays) {
+  const test::Poses& poses = test::poses(BodyKind::HUMAN);
+  const VertexMaps maps = test::perturbed(poses, 2, 1);
+  const MapScore there = scoreMaps(poses.a, poses.b, maps),
+                 back = scoreMaps(poses.b, poses.a, {maps.backward, maps.forward});
+  EXPECT_NEAR(there.bending, back.bending, 1e-4 * there.bending);
+  EXPECT_NEAR(there.curvature, back.curvature, 1e-4 * there.curvature);
+  EXPECT_NEAR(there.orthogonality, back.orthogonality, 1e-3 * there.orthogonality);
+  EXPECT_NEAR(there.commutator, back.commutator, 1e-3 * there.commutator);
+}
+
+TEST(ScoreMaps, theTruthIsBetterThanWhatIsWrong) {
+  for (BodyKind kind : {BodyKind::HUMAN, BodyKind::QUADRUPED}) {
+    const test::Poses& poses = test::poses(kind);
+    const MapScore truth = scoreMaps(poses.a, poses.b, test::identity(poses.a));
+    const MapScore mirror = scoreMaps(poses.a, poses.b, test::mirrored(poses));
+    const MapScore noise = scoreMaps(poses.a, poses.b, test::perturbed(poses, 3, 2));
+    const MapScore shuffle = scoreMaps(poses.a, poses.b, shuffled(poses.a, 3));
+    EXPECT_LT(truth.total(), mirror.total() - 2);
+    EXPECT_LT(mirror.total(), noise.total() - 2);
+    EXPECT_LT(noise.total(), shuffle.total() - 2);
+    // Every term by itself knows noise from the truth; and turning a body inside out bends it.
+    EXPECT_LT(2 * truth.bending, mirror.bending);
+    EXPECT_LT(2 * truth.bending, noise.bending);
+    EXPECT_LT(2 * truth.curvature, noise.curvature);
+    EXPECT_LT(2 * truth.orthogonality, noise.orthogonality);
+    EXPECT_LT(2 * truth.commutator, noise.commutator);
+    EXPECT_GT(shuffle.curvature, 0.8);  // uncorrelated
+  }
+}
+
+TEST(ScoreMaps, bendingHasTheStrainOfABentBody) {
+  // Stretching by 10 % along one axis: the strain of that, whatever the map's other virtues.
+  const SpectralSurface a = test::spectralSurface(lump(), 60);
+  TriangleMesh longer = a.mesh;
+  longer.vertices.col(2) *= 1.1;
+  const SpectralBasis basis = spectralBasis(cotangentLaplacian(longer), 60);
+  const SpectralSurface b(longer, basis.functions, basis.eigenvalues);
+  const auto strainOf = [](const SpectralSurface& from, const Points& bent) {
+    return from.arap.pull(bent, bent, from.arap.attract(1), 0).energy;
+  };
+  const double expected = 0.5 * (strainOf(a, b.mesh.vertices) + strainOf(b, a.mesh.vertices));
+  const double found = scoreMaps(a, b, test::identity(a)).bending;
+  // Surfaces give way a little rather than go all the way.
+  EXPECT_LT(found, 1.05 * expected);
+  EXPECT_GT(found, 0.5 * expected);
+}
+
+TEST(Orientation, isOneForRigidMotionsAndMinusOneForReflections) {
+  const TriangleMesh mesh = lump();
+  const SpectralSurface a = test::spectralSurface(mesh, 5);
+  const VertexMaps same = test::identity(a);
+  EXPECT_DOUBLE_EQ(orientation(a, a, same), 1);
+  EXPECT_DOUBLE_EQ(orientation(a, test::spectralSurface(turned(mesh), 5), same), 1);
+  EXPECT_DOUBLE_EQ(orientation(a, test::spectralSurface(reflected(mesh), 5), same), -1);
+}
+
+TEST(Orientation, ofTheAntipodesIsMinusOne) {
+  const SpectralSurface sphere = test::spectralSurface(test::sphere(3), 5);
+  VertexMaps maps = test::identity(sphere);
+  for (int& v : maps.forward)
+    (sphere.mesh.vertices.rowwise() + sphere.mesh.vertices.row(v)).rowwise().norm().minCoeff(&v);
+  maps.backward = maps.forward;
+  EXPECT_DOUBLE_EQ(orientation(sphere, sphere, maps), -1);
+}
+
+TEST(Orientation, countsBothDirections) {
+  const TriangleMesh mesh = lump();
+  const SpectralSurface a = test::spectralSurface(mesh, 5),
+                        b = test::spectralSurface(reflected(mesh), 5);
+  VertexMaps maps = test::identity(a);
+  for (int& v : maps.backward) v = 0;  // all to one place: no face has a side
+  EXPECT_DOUBLE_EQ(orientation(a, b, maps), -0.5);
+  for (int& v : maps.forward) v = 0;
+  EXPECT_DOUBLE_EQ(orientation(a, b, maps), 0);
+}
+
+TEST(Orientation, tellsLeftFromRightBetweenPoses) {
+  for (BodyKind kind : {BodyKind::HUMAN, BodyKind::QUADRUPED}) {
+    const test::Poses& poses = test::poses(kind);
+    EXPECT_GT(orientation(poses.a, poses.b, test::identity(poses.a)), 0.99);
+    EXPECT_LT(orientation(poses.a, poses.b, test::mirrored(poses)), -0.98);
+    EXPECT_NEAR(orientation(poses.a, poses.b, shuffled(poses.a, 1)), 0, 0.1);
+  }
+}
+
+}  // namespace
+}  // namespace posture
