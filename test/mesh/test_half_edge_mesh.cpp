@@ -214,6 +214,15 @@ TEST(HalfEdgeMesh, flipsExactlyWhatHasTwoFacesAndNewEndsNotJoined) {
   }
 }
 
+TEST(HalfEdgeMesh, flipsNoEdgeWhoseNewEndsAreJoinedOnTheBoundary) {
+  // The edge 2 3 is a side of one face only: it runs from 3 to 2.
+  Faces disc(5, 3);
+  disc << 0, 1, 2, 1, 0, 3, 1, 3, 4, 3, 2, 4, 2, 1, 4;
+  const HalfEdgeMesh mesh(disc, 5);
+  EXPECT_FALSE(mesh.canFlip(0));
+  EXPECT_FALSE(mesh.canFlip(mesh.twin(0)));
+}
+
 TEST(HalfEdgeMesh, flipsNoEdgeOfATetrahedronNorOfTwoFacesBackToBack) {
   Faces tetrahedron(4, 3), pillow(2, 3);
   tetrahedron << 0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2;

@@ -81,6 +81,12 @@ TEST(BoundaryVertices, areNoneOnAClosedSurfaceAndThoseOfAHoleOnOneWithAHole) {
   EXPECT_EQ(boundaryVertices(sphere.faces, vertexCount(sphere)), rim);
 }
 
+TEST(BoundaryVertices, areNoneWhereMoreThanTwoFacesMeet) {
+  Faces two(8, 3);  // tetrahedra on one edge, 0 1
+  two << 0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2, 0, 1, 4, 0, 4, 5, 0, 5, 1, 1, 5, 4;
+  EXPECT_EQ(boundaryVertices(two, 6), std::vector<char>(6, 0));
+}
+
 TEST(BoundaryVertices, areEndsOfEdgesOfOneFaceOnAnyMesh) {
   expectBoundaryOfFaces(strangeFaces(), 9);
   expectBoundaryOfFaces(Faces(0, 3), 2);

@@ -7,6 +7,8 @@
 #include <posture/geodesic/fast_marching.h>
 #include <posture/mesh/edges.h>
 
+#include <Eigen/QR>
+
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -79,6 +81,13 @@ double meanError(const SpectralSurface& target, const std::vector<int>& map) {
         (target.mesh.vertices.row(map[v]) - target.mesh.vertices.row(static_cast<Eigen::Index>(v)))
             .norm();
   return sum / static_cast<double>(map.size()) / meanEdgeLength(target.mesh);
+}
+
+Matrix randomRotation(int size, std::uint64_t seed) {
+  Rng rng(seed);
+  Matrix m(size, size);
+  for (int i = 0; i < m.size(); ++i) m.data()[i] = rng.normal();
+  return Eigen::HouseholderQR<Matrix>(m).householderQ();
 }
 
 Samples::Samples(const SpectralSurface& surface, int count)

@@ -36,6 +36,9 @@ VertexMaps perturbed(const Poses& of, int steps, std::uint64_t seed);
 /// How far a map of a surface is from the identity, straight, in mean edge lengths.
 double meanError(const SpectralSurface& target, const std::vector<int>& map);
 
+/// size x size, orthogonal.
+Matrix randomRotation(int size, std::uint64_t seed);
+
 /// Evenly spread samples, as the pipeline takes them.
 struct Samples {
   Samples(const SpectralSurface& surface, int count);

@@ -96,6 +96,25 @@ TEST(Bend, leavesTheIdentityOfARigidMotion) {
   }
 }
 
+TEST(Bend, doesNotDependOnTheBasis) {
+  // Other functions that span the same, mixed by any rotation.
+  const int k = 60;
+  const SpectralSurface& a = test::poses(BodyKind::QUADRUPED).a;
+  Matrix functions = a.functions.leftCols(k).cast<double>();
+  functions *= test::randomRotation(k, 1);
+  const SpectralSurface mixed(a.mesh, functions, a.eigenvalues.head(k));
+  const VertexMaps same = test::identity(a);
+  for (const auto& refine : {bend, sharpen}) {
+    const VertexMaps maps = refine(a, mixed, {k}, same);
+    EXPECT_EQ(maps.forward, same.forward);
+    EXPECT_EQ(maps.backward, same.backward);
+  }
+  SampleMap all{same.forward, same.backward, 0};
+  const VertexMaps spread = spreadToVertices(a, mixed, a.functions, mixed.functions, all, k);
+  EXPECT_EQ(spread.forward, same.forward);
+  EXPECT_EQ(spread.backward, same.backward);
+}
+
 TEST(Bend, takesNoMoreFunctionsThanThereAre) {
   const test::Poses& poses = test::poses(BodyKind::QUADRUPED);
   const VertexMaps start = test::perturbed(poses, 1, 4);

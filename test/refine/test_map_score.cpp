@@ -105,7 +105,9 @@ TEST(ScoreMaps, theTruthIsBetterThanWhatIsWrong) {
     EXPECT_LT(2 * truth.curvature, noise.curvature);
     EXPECT_LT(2 * truth.orthogonality, noise.orthogonality);
     EXPECT_LT(2 * truth.commutator, noise.commutator);
-    EXPECT_GT(shuffle.curvature, 0.8);  // uncorrelated
+    // What nothing is left of counts as about one.
+    EXPECT_NEAR(shuffle.curvature, 1, 0.2);
+    EXPECT_NEAR(shuffle.orthogonality, 0.8, 0.3);
   }
 }
 

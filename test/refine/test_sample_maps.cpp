@@ -134,6 +134,17 @@ TEST_F(Animal, zoomOutKeepsTheIdentity) {
   EXPECT_EQ(map.backward, identityOf(a->shape).backward);
 }
 
+TEST_F(Animal, zoomOutDoesNotDependOnTheBasis) {
+  // Other functions that span the same, mixed by any rotation.
+  const int k = 20;
+  SampledShape mixed = a->shape;
+  mixed.functions.leftCols(k) *= test::randomRotation(k, 1).cast<float>();
+  SampleMap map = identityOf(a->shape);
+  zoomOut(a->shape, mixed, {k}, map);
+  EXPECT_EQ(map.forward, identityOf(a->shape).forward);
+  EXPECT_EQ(map.backward, identityOf(a->shape).backward);
+}
+
 TEST_F(Animal, zoomOutMendsAPerturbedMap) {
   SampleMap map = truth();
   Rng rng(1);
