@@ -5,7 +5,7 @@
 # Debian 12. libpcl-dev brings VTK and Boost along; what our own CMake files ask for is named.
 packages=(
   g++ cmake ninja-build ccache                                # build
-  libeigen3-dev libboost-dev libpcl-dev                       # modules
+  libeigen3-dev libboost-dev libpcl-dev liblzf-dev                    # modules
   libceres-dev libgoogle-glog-dev libspectra-dev nlohmann-json3-dev libcli11-dev
   libvtk9-dev libx11-dev libgl1-mesa-dri xvfb                 # pictures, with or without a screen
   libgtest-dev libgmock-dev                                   # tests

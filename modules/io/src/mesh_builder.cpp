@@ -33,11 +33,17 @@ void MeshBuilder::reserve(std::size_t vertices, std::size_t faces) {
 }
 
 void MeshBuilder::addVertex(double x, double y, double z) {
-  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
-    input_.failAt(offset_,
-                  "vertex " + std::to_string(vertexCount() + index_base_) +
-                      " has a coordinate that is not finite");
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
+    if (unseen_ == Unseen::REFUSED) failUnseen(vertexCount(), offset_);
+    if (!first_unseen_) first_unseen_.emplace(vertexCount(), offset_);
+  }
   coordinates_.insert(coordinates_.end(), {x, y, z});
+}
+
+void MeshBuilder::failUnseen(std::size_t vertex, std::size_t offset) const {
+  input_.failAt(offset,
+                "vertex " + std::to_string(vertex + static_cast<std::size_t>(index_base_)) +
+                    " has a coordinate that is not finite");
 }
 
 void MeshBuilder::checkCorner(std::int64_t corner) {
@@ -86,11 +92,13 @@ MeshFile MeshBuilder::finish(ColorRange range) {
   if (std::max(coordinates_.size(), corners_.size()) / 3 >= static_cast<std::size_t>(MOST_NUMBERS))
     input_.fail("more vertices or faces than can be numbered");
   checkHighestCorner();
+  if (first_unseen_ && !corners_.empty()) failUnseen(first_unseen_->first, first_unseen_->second);
+  const bool is_cloud = unseen_ == Unseen::KEPT_IN_CLOUDS && corners_.empty();
   MeshFile file;
   file.mesh.vertices = toPoints(coordinates_);
   file.mesh.faces =
       Eigen::Map<const Faces>(corners_.data(), static_cast<Eigen::Index>(corners_.size() / 3), 3);
-  if (normals_.size() == coordinates_.size() && allFinite(normals_))
+  if (normals_.size() == coordinates_.size() && (is_cloud || allFinite(normals_)))
     file.normals = toPoints(normals_);
   if (colors_.size() == coordinates_.size()) {
     const double largest = *std::max_element(colors_.begin(), colors_.end());

@@ -23,7 +23,7 @@ constexpr std::string_view IGNORED[] = {
 
 class ObjReader {
  public:
-  explicit ObjReader(const Input& input) : text_(input, 0, '#'), builder_(input, 1) {}
+  ObjReader(const Input& input, Unseen unseen) : text_(input, 0, '#'), builder_(input, unseen, 1) {}
 
   MeshFile read() {
     for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) {
@@ -131,6 +131,6 @@ class ObjReader {
 
 }  // namespace
 
-MeshFile readObj(const Input& input) { return ObjReader(input).read(); }
+MeshFile readObj(const Input& input, Unseen unseen) { return ObjReader(input, unseen).read(); }
 
 }  // namespace posture

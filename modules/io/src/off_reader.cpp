@@ -32,7 +32,7 @@ bool parseKeyword(std::string_view word, OffHeader& header) {
 
 class OffReader {
  public:
-  explicit OffReader(const Input& input) : text_(input, 0, '#'), builder_(input) {}
+  OffReader(const Input& input, Unseen unseen) : text_(input, 0, '#'), builder_(input, unseen) {}
 
   MeshFile read() {
     readKeyword();
@@ -125,6 +125,6 @@ bool isOffKeyword(std::string_view word) {
   return parseKeyword(word, header);
 }
 
-MeshFile readOff(const Input& input) { return OffReader(input).read(); }
+MeshFile readOff(const Input& input, Unseen unseen) { return OffReader(input, unseen).read(); }
 
 }  // namespace posture

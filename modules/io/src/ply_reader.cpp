@@ -69,8 +69,8 @@ struct VertexLayout {
 template <class Body>
 class PlyReader {
  public:
-  PlyReader(const Input& input, const PlyHeader& header)
-      : input_(input), header_(header), body_(input, header), builder_(input) {}
+  PlyReader(const Input& input, const PlyHeader& header, Unseen unseen)
+      : input_(input), header_(header), body_(input, header), builder_(input, unseen) {}
 
   MeshFile read() {
     bool has_vertices = false;
@@ -188,10 +188,10 @@ class PlyReader {
 
 }  // namespace
 
-MeshFile readPly(const Input& input) {
+MeshFile readPly(const Input& input, Unseen unseen) {
   const PlyHeader header = readPlyHeader(input);
-  return header.ascii ? PlyReader<AsciiBody>(input, header).read()
-                      : PlyReader<BinaryBody>(input, header).read();
+  return header.ascii ? PlyReader<AsciiBody>(input, header, unseen).read()
+                      : PlyReader<BinaryBody>(input, header, unseen).read();
 }
 
 }  // namespace posture

@@ -2,18 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <posture/core/point_cloud.h>
 #include <posture/io/mesh_io.h>
 
 #include "input.h"
+#include "mesh_builder.h"
 #include <string_view>
 
 namespace posture {
 
-MeshFile readPly(const Input& input);
-MeshFile readObj(const Input& input);
-MeshFile readOff(const Input& input);
+enum class MeshFormat { UNKNOWN, PLY, OBJ, OFF, STL, VTK };
+
+/// By a signature in the content; UNKNOWN where there is none.
+MeshFormat signatureOf(const Input& input);
+/// By the signature, else by the file's ending.
+MeshFormat meshFormatOf(const Input& input);
+MeshFile readMeshAs(MeshFormat format, const Input& input, Unseen unseen);
+
+MeshFile readPly(const Input& input, Unseen unseen);
+MeshFile readObj(const Input& input, Unseen unseen);
+MeshFile readOff(const Input& input, Unseen unseen);
+/// Every vertex is the corner of a facet: all have to be finite.
 MeshFile readStl(const Input& input);
-MeshFile readVtk(const Input& input);
+MeshFile readVtk(const Input& input, Unseen unseen);
+
+PointCloud readPcd(const Input& input);
+/// Rows of numbers as in XYZ, PTS and CSV files.
+PointCloud readTable(const Input& input);
 
 /// OFF with any of the prefixes ST, C, N, 4, n.
 bool isOffKeyword(std::string_view word);

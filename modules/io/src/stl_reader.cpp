@@ -14,7 +14,7 @@ constexpr std::size_t HEAD_SIZE = 80, FACET_SIZE = 50;
 
 class AsciiStlReader {
  public:
-  explicit AsciiStlReader(const Input& input) : text_(input), builder_(input) {}
+  explicit AsciiStlReader(const Input& input) : text_(input), builder_(input, Unseen::REFUSED) {}
 
   MeshFile read() {
     for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) {
@@ -79,7 +79,7 @@ MeshFile readBinaryStl(const Input& input) {
   if (facets > whole_facets)
     input.fail("truncated: its head says " + std::to_string(facets) + " facets, there are " +
                std::to_string(whole_facets));
-  MeshBuilder builder(input);
+  MeshBuilder builder(input, Unseen::REFUSED);
   builder.reserve(std::size_t{3} * facets, facets);
   std::vector<std::int64_t> corners(3);
   for (std::size_t facet = 0; facet < facets; ++facet) {

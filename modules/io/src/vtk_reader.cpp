@@ -23,7 +23,7 @@ struct Cells {
 
 class VtkReader {
  public:
-  explicit VtkReader(const Input& input) : text_(input), builder_(input) {}
+  VtkReader(const Input& input, Unseen unseen) : text_(input), builder_(input, unseen) {}
 
   MeshFile read() {
     readHeader();
@@ -240,6 +240,6 @@ class VtkReader {
 
 }  // namespace
 
-MeshFile readVtk(const Input& input) { return VtkReader(input).read(); }
+MeshFile readVtk(const Input& input, Unseen unseen) { return VtkReader(input, unseen).read(); }
 
 }  // namespace posture

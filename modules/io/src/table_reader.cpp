@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "readers.h"
+#include "table_layout.h"
+#include "text_reader.h"
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace posture {
+namespace {
+
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool isSeparator(char c) { return c == ',' || c == ';'; }
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// The part of a line before a comment; `comment` is what stands behind the sign.
+std::string_view withoutComment(std::string_view line, std::string_view& comment) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const std::size_t sign = line[i] == '#' ? 1 : line.substr(i, 2) == "//" ? 2 : 0;
+    if (sign == 0) continue;
+    comment = trimmed(line.substr(i + sign));
+    return trimmed(line.substr(0, i));
+  }
+  comment = {};
+  return trimmed(line);
+}
+
+/// Separated by blanks, or by a comma or semicolon with or without blanks around it; between two
+/// of these an empty word, none behind the last.
+void split(std::string_view text, std::vector<std::string_view>& words) {
+  words.clear();
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t begin = at;
+    while (at < text.size() && !isBlank(text[at]) && !isSeparator(text[at])) ++at;
+    words.push_back(text.substr(begin, at - begin));
+    while (at < text.size() && isBlank(text[at])) ++at;
+    if (at < text.size() && isSeparator(text[at])) ++at;
+    while (at < text.size() && isBlank(text[at])) ++at;
+  }
+}
+
+/// A comma inside a number where something else separates the numbers.
+bool hasDecimalCommas(std::string_view text) {
+  const auto digit = [&](std::size_t i) {
+    return i < text.size() && text[i] >= '0' && text[i] <= '9';
+  };
+  bool comma_inside = false, other_separator = false;
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    comma_inside = comma_inside || (text[i] == ',' && digit(i - 1) && digit(i + 1));
+    const bool blank_between = isBlank(text[i]) && !isBlank(text[i - 1]) && text[i - 1] != ',' &&
+                               trimmed(text.substr(i)).front() != ',';
+    other_separator = other_separator || text[i] == ';' || blank_between;
+  }
+  return comma_inside && other_separator;
+}
+
+class TableReader {
+ public:
+  explicit TableReader(const Input& input) : input_(input) {}
+
+  PointCloud read() {
+    const std::string_view bytes = input_.bytes();
+    constexpr std::string_view BYTE_ORDER_MARK = "\xef\xbb\xbf";
+    std::size_t begin = bytes.substr(0, 3) == BYTE_ORDER_MARK ? 3 : 0;
+    while (begin < bytes.size()) {
+      const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
+      offset_ = begin;
+      readLine(bytes.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    return finish();
+  }
+
+ private:
+  void readLine(std::string_view line) {
+    std::string_view comment;
+    const std::string_view text = withoutComment(line, comment);
+    if (columns_ == 0 && readNames(text.empty() ? comment : text, text.empty())) return;
+    if (text.empty()) return;
+    split(text, words_);
+    if (readCount()) return;
+    if (columns_ == 0) begin(text);
+    const bool last_is_missing = static_cast<int>(words_.size()) == columns_ - 1;
+    if (last_is_missing && isSeparator(text.back())) words_.emplace_back();
+    if (static_cast<int>(words_.size()) != columns_) failRow(text);
+    for (int column = 0; column < columns_; ++column) {
+      double value = std::numeric_limits<double>::quiet_NaN();
+      const std::string_view word = words_[static_cast<std::size_t>(column)];
+      if (isNeeded(column) && !word.empty() && !parseNumber(word, value)) failNumber(word, text);
+      numbers_.push_back(value);
+    }
+  }
+
+  /// Only before the first row. Names on a line of their own are worth more than a comment.
+  bool readNames(std::string_view text, bool in_comment) {
+    split(text, words_);
+    const auto is_unit = [](std::string_view word) {
+      return !word.empty() && (word[0] == '(' || word[0] == '[');
+    };
+    words_.erase(std::remove_if(words_.begin(), words_.end(), is_unit), words_.end());
+    const std::optional<TableLayout> layout = layoutOfNames(words_);
+    if (!layout || (layout_ && in_comment)) return false;
+    layout_ = layout;
+    names_in_comment_ = in_comment;
+    columns_of_names_ = static_cast<int>(words_.size());
+    return true;
+  }
+
+  /// The number of rows that follow, alone on its line: before the first one, or (as PTS files of
+  /// several scans have it) when as many are there as were said before.
+  bool readCount() {
+    if (words_.size() != 1 || (columns_ != 0 && rows() != declared_)) return false;
+    std::int64_t count = 0;
+    if (!parseInteger(words_[0], count) || count < 0 || count > MOST_ROWS) return false;
+    if (columns_ == 0 && declared_) input_.failAt(offset_, "a second number of points");
+    declared_ = declared_.value_or(0) + count;
+    return true;
+  }
+
+  void begin(std::string_view text) {
+    const auto count = static_cast<int>(words_.size());
+    // A comment may speak of x, y and z without naming the columns.
+    if (layout_ && names_in_comment_ && columns_of_names_ != count) layout_.reset();
+    columns_ = layout_ ? columns_of_names_ : count;
+    failDecimalCommas(text);
+    if (layout_ || count >= 3) return;
+    double ignored = 0;
+    for (const std::string_view word : words_)
+      if (!parseNumber(word, ignored)) failNumber(word, text);
+    input_.failAt(
+        offset_,
+        "fewer than three numbers: a point is x y z, separated by blanks, tabs, commas or "
+        "semicolons");
+  }
+
+  bool isNeeded(int column) const {
+    if (!layout_) return true;
+    for (const TableLayout::Columns* part : {&layout_->position, &layout_->normal, &layout_->color})
+      for (const int needed : *part)
+        if (needed == column) return true;
+    return false;
+  }
+
+  [[noreturn]] void failNumber(std::string_view word, std::string_view text) const {
+    failDecimalCommas(text);
+    input_.failAt(offset_, inQuotes(word) + " is not a number");
+  }
+
+  [[noreturn]] void failRow(std::string_view text) const {
+    failDecimalCommas(text);
+    input_.failAt(offset_,
+                  std::to_string(words_.size()) + " columns where " + std::to_string(columns_) +
+                      " are expected (truncated?)");
+  }
+
+  void failDecimalCommas(std::string_view text) const {
+    if (hasDecimalCommas(text))
+      input_.failAt(offset_, "decimal commas cannot be read, write decimal points");
+  }
+
+  std::int64_t rows() const {
+    return columns_ == 0 ? 0 : static_cast<std::int64_t>(numbers_.size()) / columns_;
+  }
+
+  PointCloud finish() const {
+    if (columns_ == 0) input_.fail("there are no points in it");
+    if (rows() > MOST_ROWS) input_.fail("more points than can be numbered");
+    if (declared_ && *declared_ != rows())
+      input_.fail("it says " + std::to_string(*declared_) + " points and has " +
+                  std::to_string(rows()) + " (truncated?)");
+    return toCloud(numbers_, columns_, layout_ ? *layout_ : layoutOfNumbers(numbers_, columns_));
+  }
+
+  static constexpr std::int64_t MOST_ROWS = std::numeric_limits<int>::max() - 1;
+
+  const Input& input_;
+  std::size_t offset_ = 0;  // of the line
+  std::vector<std::string_view> words_;
+  std::optional<TableLayout> layout_;
+  bool names_in_comment_ = false;
+  int columns_of_names_ = 0;
+  int columns_ = 0;  // 0: no row yet
+  std::optional<std::int64_t> declared_;
+  std::vector<double> numbers_;
+};
+
+}  // namespace
+
+PointCloud readTable(const Input& input) { return TableReader(input).read(); }
+
+}  // namespace posture
