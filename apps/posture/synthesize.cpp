@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/rng.h>
 #include <posture/io/correspondence_io.h>
 #include <posture/io/mesh_io.h>
+#include <posture/io/shape_io.h>
 #include <posture/synthesis/articulated_body.h>
+#include <posture/synthesis/simulated_scan.h>
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +16,7 @@
 #include <iostream>
 #include <locale>
 #include <memory>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -30,6 +34,8 @@ struct SynthesizeOptions {
   std::vector<int> tessellations = {0};
   bool remesh = false;
   BodyOptions body;
+  bool scan = false;
+  ScanOptions scanner;
 };
 
 /// One shape as it is asked for and as it came out.
@@ -37,6 +43,11 @@ struct Shape {
   std::string name;
   BodyOptions options;
   ArticulatedBody body;
+  std::optional<SimulatedScan> scan;
+
+  std::string meshFile() const { return name + ".ply"; }
+  std::string scanFile() const { return name + "-scan.pcd"; }
+  std::string scanSurfaceFile() const { return name + "-scan-surface.txt"; }
 };
 
 void checkTogether(const SynthesizeOptions& options) {
@@ -52,6 +63,16 @@ void checkTogether(const SynthesizeOptions& options) {
     throw CLI::ValidationError("--remesh", "takes one --tessellation, the first pose's");
 }
 
+/// In its own frame: another one than that of every other pose and tessellation.
+SimulatedScan makeScan(const SynthesizeOptions& options, const Shape& shape) {
+  ScanOptions scanner = options.scanner;
+  Rng mix(options.body.seed);
+  Rng mix_pose(mix.next() + static_cast<std::uint64_t>(shape.options.pose));
+  Rng mix_tessellation(mix_pose.next() + static_cast<std::uint64_t>(shape.options.tessellation));
+  scanner.seed = mix_tessellation.next();
+  return scanBody(shape.body, scanner);
+}
+
 Shape makeShape(const SynthesizeOptions& options, std::size_t i) {
   Shape shape;
   shape.options = options.body;
@@ -62,6 +83,7 @@ Shape makeShape(const SynthesizeOptions& options, std::size_t i) {
   shape.name = options.kind + "-pose" + std::to_string(options.poses[i]);
   try {
     shape.body = makeBody(shape.options);
+    if (options.scan) shape.scan = makeScan(options, shape);
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError(shape.name, error.what());
   }
@@ -83,54 +105,133 @@ std::string describe(const Shape& source, const Shape& target) {
   return text.str();
 }
 
+/// Where the points of a scan lie on its surface: rows `point vertex`.
+std::vector<VertexPair> surfaceVertices(const SimulatedScan& scan) {
+  std::vector<VertexPair> pairs;
+  for (std::size_t i = 0; i < scan.vertex.size(); ++i)
+    if (scan.vertex[i] >= 0) pairs.push_back({static_cast<int>(i), scan.vertex[i]});
+  return pairs;
+}
+
 class PairList {
  public:
-  explicit PairList(fs::path folder) : folder_(std::move(folder)) {}
+  PairList(fs::path folder, bool scans) : folder_(std::move(folder)), scans_(scans) {}
 
-  /// Writes the truth files of the pair; returns the pair as JSON.
+  /// Writes the truth files of the pair; returns it as JSON.
   Json add(const std::string& family, const Shape& source, const Shape& target) {
     const std::string id = source.name + "-pose" + std::to_string(target.options.pose);
-    const std::string truth = id + ".txt", mirror = id + "-mirror.txt";
-    const std::vector<VertexPair> pairs = groundTruth(source.body, target.body);
-    writeVertexPairs(folder_ / truth, pairs);
-    writeVertexPairs(folder_ / mirror, mirrorTruth(source.body, target.body));
-    rows_ += id + "," + family + "," + pairKind(source.options) + "," + source.name + ".ply," +
-             target.name + ".ply," + truth + "," + mirror + "," + describe(source, target) + "\n";
-    return {{"id", id}, {"truth", truth}, {"mirror_truth", mirror}, {"true_pairs", pairs.size()}};
+    return add({id, family, pairKind(source.options), source.meshFile(), target.meshFile()},
+               groundTruth(source.body, target.body),
+               mirrorTruth(source.body, target.body),
+               describe(source, target));
+  }
+
+  /// The same for the scans of the two.
+  Json addScans(const std::string& family, const Shape& source, const Shape& target) {
+    const std::string id = source.name + "-pose" + std::to_string(target.options.pose) + "-scan";
+    return add({id, family, "scan", source.scanFile(), target.scanFile()},
+               groundTruth(*source.scan, *target.scan),
+               mirrorTruth(*source.scan, *target.scan),
+               describe(source, target),
+               {target.meshFile(), target.scanSurfaceFile()});
   }
 
   void write() const {
+    const std::string more = scans_ ? ",target_surface,target_surface_vertices" : "";
     writeText(folder_ / "pairs.csv",
-              "id,family,kind,source,target,truth,mirror_truth,note\n" + rows_);
+              "id,family,kind,source,target,truth,mirror_truth,note" + more + "\n" + rows_);
   }
 
  private:
+  struct Surface {
+    std::string mesh, vertices;
+  };
+
+  /// `fields`: id, family, kind, source, target.
+  Json add(const std::vector<std::string>& fields,
+           const std::vector<VertexPair>& truth,
+           const std::vector<VertexPair>& mirror_truth,
+           const std::string& note,
+           const Surface& surface = {}) {
+    const std::string& id = fields.front();
+    const std::string file = id + ".txt", mirror_file = id + "-mirror.txt";
+    writeVertexPairs(folder_ / file, truth);
+    writeVertexPairs(folder_ / mirror_file, mirror_truth);
+    for (const std::string& field : fields) rows_ += field + ",";
+    rows_ += file + "," + mirror_file + "," + note;
+    if (scans_) rows_ += "," + surface.mesh + "," + surface.vertices;
+    rows_ += "\n";
+    return {
+        {"id", id}, {"truth", file}, {"mirror_truth", mirror_file}, {"true_pairs", truth.size()}};
+  }
+
   fs::path folder_;
+  bool scans_;
   std::string rows_;
 };
+
+/// Writes the shape, and with it its scan; returns what was written as JSON.
+Json writeShape(const fs::path& folder, const Shape& shape, bool quiet) {
+  const std::string file = shape.meshFile();
+  const TriangleMesh& mesh = shape.scan ? shape.scan->surface : shape.body.mesh;
+  const auto vertices = static_cast<long>(mesh.vertices.rows());
+  const auto faces = static_cast<long>(mesh.faces.rows());
+  writeMesh(folder / file, mesh);
+  if (!quiet) std::fprintf(stderr, "%s: %ld vertices, %ld faces\n", file.c_str(), vertices, faces);
+  Json json{{"file", file}, {"vertices", vertices}, {"faces", faces}};
+  if (!shape.scan) return json;
+  writePointCloud(folder / shape.scanFile(), shape.scan->cloud);
+  writeVertexPairs(folder / shape.scanSurfaceFile(), surfaceVertices(*shape.scan));
+  const auto points =
+      static_cast<long>(shape.scan->cloud.points.rowwise().sum().array().isFinite().count());
+  if (!quiet) std::fprintf(stderr, "%s: %ld points\n", shape.scanFile().c_str(), points);
+  json["scan"] = {{"file", shape.scanFile()},
+                  {"points", points},
+                  {"surface_vertices", shape.scanSurfaceFile()}};
+  return json;
+}
 
 void synthesize(const SynthesizeOptions& options, const Common& common) {
   checkTogether(options);
   makeFolder(options.folder);
   Json shapes = Json::array(), pairs = Json::array();
-  PairList list(options.folder);
+  PairList list(options.folder, options.scan);
   Shape reference;
   for (std::size_t i = 0; i < options.poses.size(); ++i) {
     Shape shape = makeShape(options, i);
-    const std::string file = shape.name + ".ply";
-    const auto vertices = static_cast<long>(shape.body.mesh.vertices.rows());
-    const auto faces = static_cast<long>(shape.body.mesh.faces.rows());
-    writeMesh(options.folder / file, shape.body.mesh);
-    if (!common.quiet)
-      std::fprintf(stderr, "%s: %ld vertices, %ld faces\n", file.c_str(), vertices, faces);
-    shapes.push_back({{"file", file}, {"vertices", vertices}, {"faces", faces}});
-    if (i == 0)
+    shapes.push_back(writeShape(options.folder, shape, common.quiet));
+    if (i == 0) {
       reference = std::move(shape);
-    else
-      pairs.push_back(list.add(options.kind, reference, shape));
+      continue;
+    }
+    pairs.push_back(list.add(options.kind, reference, shape));
+    if (options.scan) pairs.push_back(list.addScans(options.kind, reference, shape));
   }
   if (!pairs.empty()) list.write();
   if (common.json) std::cout << Json{{"shapes", shapes}, {"pairs", pairs}}.dump(1) << '\n';
+}
+
+/// Returns --scan, which the others need.
+CLI::Option* addScanOptions(CLI::App& verb, SynthesizeOptions& options) {
+  CLI::Option* const scan =
+      verb.add_flag("--scan", options.scan, "Also scan each pose with simulated depth cameras");
+  verb.add_option("--views",
+                  options.scanner.views,
+                  "Depth images merged into a scan; 1: a single one, kept as a grid")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str()
+      ->needs(scan);
+  verb.add_option("--points", options.scanner.points, "About so many points in a scan")
+      ->check(CLI::Range(1000, 5'000'000))
+      ->capture_default_str()
+      ->needs(scan);
+  verb.add_option("--scan-noise",
+                  options.scanner.noise,
+                  "Scales all errors of the cameras; 0: none, 1: a consumer's")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str()
+      ->needs(scan);
+  return scan;
 }
 
 }  // namespace
@@ -150,9 +251,10 @@ void addSynthesize(CLI::App& app, Common& common) {
                    "Poses, each paired with the first: 0 rest, 1 to 9 made by hand, others random")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
-  verb->add_option("--vertices", body.vertices, "About so many vertices, before holes are cut")
-      ->check(CLI::Range(1000, 500'000))
-      ->capture_default_str();
+  CLI::Option* const vertices =
+      verb->add_option("--vertices", body.vertices, "About so many vertices, before holes are cut")
+          ->check(CLI::Range(1000, 500'000))
+          ->default_str("5000; 20000 with --scan");
   verb->add_option("--tessellation",
                    options->tessellations,
                    "Number of the tessellation, or one number a pose; each is another mesh")
@@ -165,10 +267,15 @@ void addSynthesize(CLI::App& app, Common& common) {
   verb->add_option("--hole-radius", body.hole_radius, "Along the surface; the body is about 1 long")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  verb->add_option("--noise", body.noise, "Standard deviation along the normal, in the same unit")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  verb->callback([options, &common] {
+  CLI::Option* const noise =
+      verb->add_option(
+              "--noise", body.noise, "Standard deviation along the normal, in the same unit")
+          ->check(CLI::Range(0.0, 1.0))
+          ->capture_default_str();
+  addScanOptions(*verb, *options)->excludes(noise);
+  verb->callback([options, vertices, &common] {
+    // A scan is judged on this mesh, which must not be coarser than the scan.
+    if (options->scan && vertices->count() == 0) options->body.vertices = 20'000;
     options->body.kind = options->kind == "human" ? BodyKind::HUMAN : BodyKind::QUADRUPED;
     options->body.seed = common.seed;
     synthesize(*options, common);

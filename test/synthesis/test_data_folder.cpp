@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/io/correspondence_io.h>
 #include <posture/io/mesh_io.h>
+#include <posture/io/shape_io.h>
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,40 @@ TEST(DataFolder, HoldsWhatItsReadmeSays) {
     expectTruth(std::string("human/human-pose0-pose6") + end,
                 "human/human-pose0.ply",
                 "human/human-pose6.ply");
+  }
+}
+
+TEST(DataFolder, ScansAreOfTheirSurfaces) {
+  for (const char* pose : {"0", "6"}) {
+    const std::string name = folder + "/scans/human-pose" + pose;
+    const PointCloud cloud = readShape(name + "-scan.pcd").cloud;
+    const TriangleMesh surface = readMesh(name + ".ply").mesh;
+    EXPECT_EQ(topologyOf(surface).rims, 0);
+    EXPECT_NEAR(static_cast<double>(cloud.points.rows()) / 15000, 1, 0.1);
+    EXPECT_TRUE(cloud.points.allFinite());
+    EXPECT_EQ(cloud.width, 0);
+    const std::vector<VertexPair> places = readVertexPairs(name + "-scan-surface.txt");
+    EXPECT_GT(static_cast<double>(places.size()), 0.93 * static_cast<double>(cloud.points.rows()));
+    const double edge = meanEdgeOf(surface);
+    double sum = 0;
+    for (const VertexPair& place : places)
+      sum += (cloud.points.row(place.source) - surface.vertices.row(place.target)).norm();
+    EXPECT_LT(sum / static_cast<double>(places.size()), 0.6 * edge);
+  }
+}
+
+TEST(DataFolder, ScansHaveTruth) {
+  const auto points = [](const char* pose) {
+    return readShape(folder + "/scans/human-pose" + pose + "-scan.pcd").cloud.points.rows();
+  };
+  const auto n = points("0"), m = points("6");
+  for (const char* end : {".txt", "-mirror.txt"}) {
+    const auto truth = readVertexPairs(folder + "/scans/human-pose0-pose6-scan" + end);
+    EXPECT_GT(static_cast<double>(truth.size()), 0.9 * static_cast<double>(n)) << end;
+    for (const VertexPair& pair : truth) {
+      ASSERT_LT(pair.source, n);
+      ASSERT_LT(pair.target, m);
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/io/correspondence_io.h>
 #include <posture/io/mesh_io.h>
+#include <posture/io/shape_io.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -91,6 +92,104 @@ TEST(SynthesizeVerb, WritesTheSameBytesForTheSameSeed) {
   EXPECT_NE(made("c", "8"), first);
 }
 
+TEST(SynthesizeVerb, ScansEachPose) {
+  const TemporaryFolder folder;
+  const auto scan = [&](const std::string& name, const std::string& threads) {
+    return synthesize({"-o",
+                       folder / name,
+                       "--kind",
+                       "human",
+                       "--pose",
+                       "0",
+                       "3",
+                       "--vertices",
+                       "1500",
+                       "--scan",
+                       "--points",
+                       "2000",
+                       "--remesh",
+                       "--json",
+                       "--quiet",
+                       "--threads",
+                       threads});
+  };
+  const ProgramRun ended = scan("a", "1");
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_THAT(ended.out, HasSubstr("\"human-pose3-scan.pcd\""));
+  const std::string out = folder / "a";
+  const auto cloud = readShape(out + "/human-pose0-scan.pcd").cloud;
+  const TriangleMesh surface = readMesh(out + "/human-pose0.ply").mesh;
+  for (const VertexPair& place : readVertexPairs(out + "/human-pose0-scan-surface.txt")) {
+    ASSERT_LT(place.source, cloud.points.rows());
+    ASSERT_LT(place.target, surface.vertices.rows());
+  }
+  EXPECT_GT(readVertexPairs(out + "/human-pose0-pose3-scan.txt").size(), 1500u);
+  EXPECT_GT(readVertexPairs(out + "/human-pose0-pose3-scan-mirror.txt").size(), 1500u);
+  EXPECT_EQ(bytesOf(out + "/pairs.csv"),
+            "id,family,kind,source,target,truth,mirror_truth,note,target_surface,"
+            "target_surface_vertices\n"
+            "human-pose0-pose3,human,isometric,human-pose0.ply,human-pose3.ply,"
+            "human-pose0-pose3.txt,human-pose0-pose3-mirror.txt,"
+            "synthetic; tessellations 0 and 1,,\n"
+            "human-pose0-pose3-scan,human,scan,human-pose0-scan.pcd,human-pose3-scan.pcd,"
+            "human-pose0-pose3-scan.txt,human-pose0-pose3-scan-mirror.txt,"
+            "synthetic; tessellations 0 and 1,human-pose3.ply,human-pose3-scan-surface.txt\n");
+  EXPECT_EQ(scan("b", "2").exit_code, 0);
+  for (const char* file : {"/human-pose0-scan.pcd", "/human-pose3-scan.pcd", "/human-pose0.ply"})
+    EXPECT_EQ(bytesOf((folder / "b") + file), bytesOf(out + file)) << file;
+}
+
+// Not byte by byte: the last bits of a sine, and with them a step of a depth, may differ elsewhere.
+TEST(SynthesizeVerb, MakesTheScansOfTheDataFolder) {
+  const TemporaryFolder folder;
+  const std::string made = folder / "scans", kept = DATA_DIR "/scans";
+  const ProgramRun ended = synthesize({"-o",
+                                       made,
+                                       "--kind",
+                                       "human",
+                                       "--pose",
+                                       "0",
+                                       "6",
+                                       "--vertices",
+                                       "5000",
+                                       "--remesh",
+                                       "--scan",
+                                       "--points",
+                                       "15000",
+                                       "--quiet"});
+  ASSERT_EQ(ended.exit_code, 0);
+  EXPECT_EQ(bytesOf(made + "/pairs.csv"), bytesOf(kept + "/pairs.csv"));
+  for (const char* file : {"/human-pose0-scan.pcd", "/human-pose6-scan.pcd"}) {
+    const Points a = readShape(made + file).cloud.points, b = readShape(kept + file).cloud.points;
+    ASSERT_EQ(a.rows(), b.rows());
+    const double size = (b.colwise().maxCoeff() - b.colwise().minCoeff()).maxCoeff();
+    const auto differ = ((a - b).rowwise().norm().array() > 1e-5 * size).count();
+    EXPECT_LT(static_cast<double>(differ), 0.001 * static_cast<double>(a.rows()));
+  }
+}
+
+TEST(SynthesizeVerb, KeepsTheGridOfASingleView) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(synthesize({"-o",
+                        folder / "a",
+                        "--pose",
+                        "0",
+                        "--vertices",
+                        "1500",
+                        "--scan",
+                        "--views",
+                        "1",
+                        "--points",
+                        "2000",
+                        "--scan-noise",
+                        "0"})
+                .exit_code,
+            0);
+  const PointCloud cloud = readShape((folder / "a") + "/quadruped-pose0-scan.pcd").cloud;
+  EXPECT_GT(cloud.width, 50);
+  EXPECT_TRUE(cloud.sensor);
+}
+
 TEST(SynthesizeVerb, WritesNoPairsForOneShape) {
   const TemporaryFolder folder;
   EXPECT_EQ(synthesize({"-o", folder / ".", "--pose", "5", "--vertices", "1000"}).exit_code, 0);
@@ -108,6 +207,11 @@ TEST(SynthesizeVerb, RefusesWhatCannotBeMeant) {
                                                        {"--holes", "-1"},
                                                        {"--holes", "900", "--vertices", "1000"},
                                                        {"--noise", "nan"},
+                                                       {"--views", "2"},
+                                                       {"--scan", "--views", "0"},
+                                                       {"--scan", "--noise", "0.1"},
+                                                       {"--scan", "--points", "10"},
+                                                       {"--scan", "--scan-noise", "-1"},
                                                        {"--unknown"}};
   for (std::vector<std::string> arguments : wrong) {
     const std::string last = arguments.back();

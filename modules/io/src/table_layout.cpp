@@ -62,6 +62,7 @@ Points columnsOf(const std::vector<double>& numbers, int columns, const Columns&
 
 std::optional<TableLayout> layoutOfNames(const std::vector<std::string_view>& names) {
   std::vector<std::string> plain;
+  plain.reserve(names.size());
   for (const std::string_view name : names) plain.push_back(plainName(name));
   const auto find = [&](std::initializer_list<const char*> wanted) {
     for (const char* const one : wanted)
