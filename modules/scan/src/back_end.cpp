@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "back_end.h"
+
+#include <posture/core/error.h>
+#include <posture/mesh/half_edge_mesh.h>
+#include <posture/mesh/point_index.h>
+
+#include <Eigen/Geometry>
+
+#include "agreement.h"
+#include "pcl_surfaces.h"
+#include "repair.h"
+#include "spacing.h"
+#include <algorithm>
+
+namespace posture {
+namespace {
+
+constexpr int FEWEST_FACES = 50;  ///< of a piece
+
+/// Faces the way the normals of the nearest samples look.
+void orientBySamples(const OrientedPoints& samples, TriangleMesh& mesh) {
+  const PointIndex index(samples.points);
+  for (int f = 0; f < mesh.faces.rows(); ++f) {
+    const Eigen::RowVector3d a = mesh.vertices.row(mesh.faces(f, 0)),
+                             b = mesh.vertices.row(mesh.faces(f, 1)),
+                             c = mesh.vertices.row(mesh.faces(f, 2));
+    const auto near = index.nearest((a + b + c).transpose() / 3);
+    if ((b - a).cross(c - a).dot(samples.normals.row(near.index)) < 0)
+      std::swap(mesh.faces(f, 1), mesh.faces(f, 2));
+  }
+}
+
+TriangleMesh repaired(TriangleMesh mesh, double spacing, int& dropped) {
+  const int n = static_cast<int>(mesh.vertices.rows());
+  mesh.faces = largestFans(mesh.faces, n);
+  mesh.faces = withoutSmallPieces(mesh.faces, n, FEWEST_FACES, dropped);
+  mesh.faces = closePinHoles(mesh, 12 * spacing);
+  mesh.faces = largestFans(mesh.faces, n);
+  std::vector<int> kept;
+  return withoutLooseVertices(mesh, kept);
+}
+
+TriangleMesh tangentSurface(const OrientedPoints& samples,
+                            const NeighborSearch& search,
+                            const NeighborTable& neighbors,
+                            double spacing) {
+  return {
+      samples.points,
+      agreeingFaces(samples,
+                    tangentDelaunay(samples, search, neighbors, spacing, ContactGate::LONG_EDGES))};
+}
+
+/// PCL's surfaces, cut where they are not manifold and turned alike.
+TriangleMesh untangled(const OrientedPoints& samples, TriangleMesh mesh) {
+  orientBySamples(samples, mesh);
+  return cutNonManifold(mesh).mesh;
+}
+
+void describe(const TriangleMesh& mesh, ReconstructionSummary& summary) {
+  const int n = static_cast<int>(mesh.vertices.rows());
+  summary.vertices = n;
+  summary.faces = static_cast<int>(mesh.faces.rows());
+  summary.components = countPieces(mesh.faces, n);
+  for (const std::vector<int>& loop : boundaryLoops(mesh.faces, n)) {
+    ++summary.boundary_loops;
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      summary.boundary_length +=
+          (mesh.vertices.row(loop[k]) - mesh.vertices.row(loop[(k + 1) % loop.size()])).norm();
+  }
+}
+
+}  // namespace
+
+TriangleMesh meshSamples(const OrientedPoints& samples,
+                         SurfaceMethod method,
+                         ReconstructionSummary& summary) {
+  if (samples.points.rows() < 4) throw InputError("shows no surface");
+  const NeighborSearch search(samples.points);
+  const NeighborTable neighbors = search.table(32);
+  const double h = summary.mesh_spacing = spacing(samples.points, neighbors);
+  TriangleMesh mesh;
+  switch (method) {
+    case SurfaceMethod::TANGENT_DELAUNAY:
+    case SurfaceMethod::MLS:
+      mesh = tangentSurface(samples, search, neighbors, h);
+      break;
+    case SurfaceMethod::POISSON:
+      throw InputError("the Poisson surface is not built in");
+      break;
+    case SurfaceMethod::GREEDY:
+      mesh = untangled(samples, greedySurface(samples, h));
+      break;
+  }
+  mesh = repaired(std::move(mesh), h, summary.dropped_pieces);
+  if (mesh.faces.rows() == 0) throw InputError("shows no surface");
+  describe(mesh, summary);
+  return mesh;
+}
+
+}  // namespace posture

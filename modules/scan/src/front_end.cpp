@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "front_end.h"
+
+#include <posture/core/error.h>
+
+#include "local_plane.h"
+#include "normals.h"
+#include "outliers.h"
+#include "pcl_surfaces.h"
+#include "resampling.h"
+#include "spacing.h"
+#include "thinning.h"
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace posture {
+namespace {
+
+constexpr int NEIGHBORS = 32;
+
+void requireBreadth(const Points& points) {
+  LocalPlane all;
+  for (int i = 0; i < points.rows(); ++i) all.add(points.row(i).transpose(), 1);
+  const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+  // Rounding leaves points of a line this broad.
+  if (!(all.fit().breadth > 1e-6 * extent)) throw InputError("has all its points on one line");
+}
+
+template <class Rows>
+Points rowsOf(const Points& points, const Rows& rows) {
+  return points.rows() > 0 ? Points(points(rows, Eigen::all)) : points;
+}
+
+/// One point a cell, where the surface shows only in the mean of many.
+ScanPoints averaged(const ScanPoints& scan, double side) {
+  const Cells cells = averageInCells(scan.points, side);
+  ScanPoints fewer{cells.means, {Points(), scan.hints.source}};
+  if (scan.hints.directions.rows() > 0) {
+    Points& sums = fewer.hints.directions = Points::Zero(cells.means.rows(), 3);
+    for (int i = 0; i < scan.points.rows(); ++i)
+      sums.row(cells.cell[i]) += scan.hints.directions.row(i);
+    sums.rowwise().normalize();
+  }
+  return fewer;
+}
+
+}  // namespace
+
+ScanPoints filterPoints(const ScanPoints& given,
+                        std::vector<int>& kept,
+                        ReconstructionSummary& summary) {
+  const NeighborTable neighbors = NeighborSearch(given.points).table(16);
+  summary.spacing = spacing(given.points, neighbors);
+  const std::vector<char> keep = withoutOutliers(given.points, neighbors, summary.spacing);
+  for (int i = 0; i < given.points.rows(); ++i)
+    if (keep[i]) kept.push_back(i);
+  summary.outliers = static_cast<int>(given.points.rows()) - static_cast<int>(kept.size());
+  if (kept.empty()) throw InputError("has no points close enough to each other to be a surface");
+  ScanPoints scan{rowsOf(given.points, kept),
+                  {rowsOf(given.hints.directions, kept), given.hints.source},
+                  summary.spacing};
+  requireBreadth(scan.points);
+
+  const NoiseScale noise = noiseScale(scan.points, NeighborSearch(scan.points));
+  summary.double_walls = noise.double_walls;
+  if (noise.neighbors > 10) {
+    summary.averaged = noise.neighbors;
+    scan = averaged(scan, 0.8 * summary.spacing * std::sqrt(noise.neighbors / 10.0));
+  }
+  return scan;
+}
+
+OrientedPoints sampleSurface(const ScanPoints& scan,
+                             SurfaceMethod method,
+                             ReconstructionSummary& summary) {
+  OrientedPoints oriented{scan.points, {}};
+  NeighborTable neighbors = NeighborSearch(scan.points).table(NEIGHBORS);
+  const double h = spacing(scan.points, neighbors), sigma = 1.2 * h;
+  if (method == SurfaceMethod::MLS) {
+    oriented = movingLeastSquares(scan.points, 3 * h);
+    neighbors = NeighborSearch(oriented.points).table(NEIGHBORS);
+  }
+  EstimatedNormals estimated = estimateNormals(scan.points, neighbors, h, sigma);
+  summary.noise = estimated.residual;
+  if (method != SurfaceMethod::MLS) oriented.normals = std::move(estimated.normals);
+  const OrientationSummary orientation =
+      orientNormals(oriented.points, neighbors, h, scan.hints, oriented.normals);
+  summary.oriented_by_sensor = orientation.by_sensor;
+  summary.oriented_by_normals = orientation.by_normals;
+  if (method != SurfaceMethod::MLS)
+    smooth(neighbors, sigma, std::max(1.5 * estimated.residual, 0.25 * h), oriented);
+  return thin(oriented, neighbors, 0.8 * h);
+}
+
+}  // namespace posture

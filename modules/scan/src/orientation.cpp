@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "orientation.h"
+
+#include <posture/core/rng.h>
+
+#include "blocks.h"
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+namespace posture {
+namespace {
+
+struct Link {
+  float weight;
+  int first, second;
+  bool opposed;
+
+  bool operator<(const Link& other) const {
+    return std::tie(weight, first, second) < std::tie(other.weight, other.first, other.second);
+  }
+};
+
+/// Union-find that knows of each point whether its sign is that of its root.
+class SignedSets {
+ public:
+  explicit SignedSets(int count) : parent_(count), flipped_(count, 0) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  int find(int i) {
+    int root = i;
+    char flipped = 0;
+    for (; parent_[root] != root; root = parent_[root]) flipped ^= flipped_[root];
+    while (parent_[i] != root && i != root) {
+      const int next = parent_[i];
+      const char here = flipped_[i];
+      parent_[i] = root;
+      flipped_[i] = flipped;
+      flipped ^= here;
+      i = next;
+    }
+    return root;
+  }
+
+  bool isFlipped(int i) {
+    find(i);
+    return flipped_[i] != 0;
+  }
+
+  void join(int i, int j, bool opposed) {
+    const int a = find(i), b = find(j);
+    if (a == b) return;
+    const char between = static_cast<char>(flipped_[i] ^ flipped_[j] ^ static_cast<char>(opposed));
+    // The lower root stays: the result does not depend on the order of equal unions.
+    parent_[std::max(a, b)] = std::min(a, b);
+    flipped_[std::max(a, b)] = between;
+  }
+
+ private:
+  std::vector<int> parent_;
+  std::vector<char> flipped_;
+};
+
+/// How badly two points fit on one smooth surface, and whether their normals then disagree.
+Link link(const Points& points, const Points& normals, int i, int j, double spacing) {
+  const Eigen::RowVector3d offset = points.row(j) - points.row(i);
+  const double length = offset.norm();
+  const Eigen::RowVector3d d = offset / length;
+  const double along_i = normals.row(i).dot(d), along_j = normals.row(j).dot(d);
+  // On a circular arc the normals are mirror images in the plane between the points.
+  const double c = normals.row(i).dot(normals.row(j)) - 2 * along_i * along_j;
+  // Without the second term points stacked along the normal, of opposing sheets, fit perfectly.
+  const double stacked = 0.5 * std::max(along_i * along_i, along_j * along_j);
+  const double weight = 1 - std::abs(c) + stacked + 0.02 * length / spacing;
+  return {static_cast<float>(weight), i, j, c < 0};
+}
+
+/// Links to the 12 nearest neighbours within five spacings, each once.
+std::vector<Link> surfaceLinks(const Points& points,
+                               const NeighborTable& neighbors,
+                               const Points& normals,
+                               double spacing) {
+  const int n = static_cast<int>(points.rows());
+  const int columns = std::min(12, static_cast<int>(neighbors.cols()));
+  std::vector<Link> links(static_cast<std::size_t>(n) * columns, Link{-1, 0, 0, false});
+  forEach(n, [&](int i) {
+    for (int k = 0; k < columns; ++k) {
+      const int j = neighbors(i, k);
+      if (j < 0 || (points.row(j) - points.row(i)).norm() > 5 * spacing) break;
+      const auto of_j = neighbors.row(j).head(columns);
+      const bool both = std::find(of_j.begin(), of_j.end(), i) != of_j.end();
+      if (i < j || !both)
+        links[static_cast<std::size_t>(i) * columns + k] =
+            link(points, normals, std::min(i, j), std::max(i, j), spacing);
+    }
+  });
+  links.erase(
+      std::remove_if(links.begin(), links.end(), [](const Link& l) { return l.weight < 0; }),
+      links.end());
+  return links;
+}
+
+/// From each point to one more, of number n, that stands for the sensor: its sign is known.
+void addSensorLinks(const Points& directions, const Points& normals, std::vector<Link>& links) {
+  const int n = static_cast<int>(normals.rows());
+  for (int i = 0; i < n; ++i) {
+    const double c = normals.row(i).dot(directions.row(i));
+    if (c != 0) links.push_back({static_cast<float>(1 - std::abs(c)), i, n, c < 0});
+  }
+}
+
+/// How far the normals of some points look away from the inside of their hull: for a closed
+/// surface near +1 or -1, for an open one less.
+double outwardness(const Points& points, const Points& normals, const std::vector<int>& part) {
+  constexpr int DIRECTIONS = 100;
+  std::vector<double> looks(DIRECTIONS);
+  parallelFor(DIRECTIONS, [&](int s) {
+    // Spread evenly: a Fibonacci lattice.
+    const double z = 1 - (2 * s + 1.0) / DIRECTIONS, angle = s * M_PI * (3 - std::sqrt(5.0));
+    const double r = std::sqrt(1 - z * z);
+    const Eigen::RowVector3d u(r * std::cos(angle), r * std::sin(angle), z);
+    int extreme = part.front();
+    for (int i : part)
+      if (points.row(i).dot(u) > points.row(extreme).dot(u)) extreme = i;
+    looks[s] = normals.row(extreme).dot(u);
+  });
+  return std::accumulate(looks.begin(), looks.end(), 0.0) / DIRECTIONS;
+}
+
+struct HintVote {
+  int known = 0;
+  int agreeing = 0;
+};
+
+HintVote vote(const Points& directions, const Points& normals, const std::vector<int>& part) {
+  HintVote votes;
+  if (directions.rows() == 0) return votes;
+  for (int i : part) {
+    const double c = directions.row(i).dot(normals.row(i));
+    votes.known += c != 0;
+    votes.agreeing += c > 0;
+  }
+  return votes;
+}
+
+/// Whether the normals of a part have to be turned round.
+bool looksInward(const Points& points,
+                 const Points& normals,
+                 const std::vector<int>& part,
+                 const OutsideHints& hints,
+                 OrientationSummary& summary) {
+  // A closed body knows its outside better than normals of unknown origin do.
+  constexpr double CLOSED = 0.75;
+  // Of normals whose sign was left to chance half agree.
+  constexpr double CONSISTENT = 0.9;
+  const HintVote votes = vote(hints.directions, normals, part);
+  const double share = votes.known > 0 ? static_cast<double>(votes.agreeing) / votes.known : 0.5;
+  const bool voted = 2 * votes.known > static_cast<int>(part.size());
+  if (hints.source != HintSource::NORMALS && voted) {
+    summary.by_sensor = true;
+    return share < 0.5;
+  }
+  const double outward = outwardness(points, normals, part);
+  if (std::abs(outward) < CLOSED && voted && std::max(share, 1 - share) >= CONSISTENT) {
+    summary.by_normals = true;
+    return share < 0.5;
+  }
+  return outward < 0;
+}
+
+}  // namespace
+
+OrientationSummary orientNormals(const Points& points,
+                                 const NeighborTable& neighbors,
+                                 double spacing,
+                                 const OutsideHints& hints,
+                                 Points& normals) {
+  const int n = static_cast<int>(points.rows());
+  std::vector<Link> links = surfaceLinks(points, neighbors, normals, spacing);
+  if (hints.source == HintSource::SENSOR) addSensorLinks(hints.directions, normals, links);
+  std::sort(links.begin(), links.end());
+  SignedSets sets(n + 1);
+  for (const Link& l : links) sets.join(l.first, l.second, l.opposed);
+
+  std::vector<int> root(n), by_part(n);
+  for (int i = 0; i < n; ++i) {
+    root[i] = sets.find(i);
+    if (sets.isFlipped(i)) normals.row(i) *= -1;
+  }
+  std::iota(by_part.begin(), by_part.end(), 0);
+  std::stable_sort(by_part.begin(), by_part.end(), [&](int a, int b) { return root[a] < root[b]; });
+  OrientationSummary summary;
+  for (auto first = by_part.begin(); first != by_part.end();) {
+    const auto last =
+        std::find_if(first, by_part.end(), [&](int i) { return root[i] != root[*first]; });
+    const std::vector<int> part(first, last);
+    if (looksInward(points, normals, part, hints, summary))
+      for (int i : part) normals.row(i) *= -1;
+    first = last;
+  }
+  return summary;
+}
+
+}  // namespace posture

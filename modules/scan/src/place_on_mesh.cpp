@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "place_on_mesh.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace posture {
+namespace {
+
+/// Barycentric coordinates of the point of a triangle nearest to p (Ericson 2005, 5.1.5).
+Eigen::Vector3d nearestInTriangle(const Eigen::Vector3d& p,
+                                  const Eigen::Vector3d& a,
+                                  const Eigen::Vector3d& b,
+                                  const Eigen::Vector3d& c) {
+  const Eigen::Vector3d ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+    const double t = d1 / (d1 - d3);
+    return {1 - t, t, 0};
+  }
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+    const double t = d2 / (d2 - d6);
+    return {1 - t, 0, t};
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0, 1 - t, t};
+  }
+  const double sum = va + vb + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
+
+}  // namespace
+
+struct MeshLocator::Tree {
+  struct Node {
+    Eigen::AlignedBox3d box;
+    int first, last;          ///< range of `order`
+    int left = 0, right = 0;  ///< 0: a leaf
+  };
+
+  const TriangleMesh& mesh;
+  std::vector<int> order;  ///< faces
+  std::vector<Node> nodes;
+
+  explicit Tree(const TriangleMesh& m) : mesh(m), order(m.faces.rows()) {
+    std::iota(order.begin(), order.end(), 0);
+    Points centers(mesh.faces.rows(), 3);
+    for (int f = 0; f < mesh.faces.rows(); ++f)
+      centers.row(f) = mesh.vertices(mesh.faces.row(f), Eigen::all).colwise().mean();
+    nodes.reserve(mesh.faces.rows());
+    build(centers, 0, static_cast<int>(order.size()));
+  }
+
+  Eigen::Vector3d corner(int face, int k) const { return mesh.vertices.row(mesh.faces(face, k)); }
+
+  int build(const Points& centers, int first, int last) {
+    constexpr int LEAF = 4;
+    const int number = static_cast<int>(nodes.size());
+    nodes.push_back({{}, first, last});
+    Eigen::AlignedBox3d spread;
+    for (int i = first; i < last; ++i) {
+      spread.extend(centers.row(order[i]).transpose());
+      for (int k = 0; k < 3; ++k) nodes[number].box.extend(corner(order[i], k));
+    }
+    if (last - first <= LEAF) return number;
+    int axis = 0;
+    spread.sizes().maxCoeff(&axis);
+    const int middle = (first + last) / 2;
+    std::nth_element(
+        order.begin() + first, order.begin() + middle, order.begin() + last, [&](int a, int b) {
+          return centers(a, axis) != centers(b, axis) ? centers(a, axis) < centers(b, axis) : a < b;
+        });
+    const int left = build(centers, first, middle);
+    const int right = build(centers, middle, last);
+    nodes[number].left = left;
+    nodes[number].right = right;
+    return number;
+  }
+
+  struct Best {
+    double distance_sq = std::numeric_limits<double>::infinity();
+    int face = -1;
+    Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
+  };
+
+  void tryFace(int face, const Eigen::Vector3d& p, Best& best) const {
+    const Eigen::Vector3d a = corner(face, 0), b = corner(face, 1), c = corner(face, 2);
+    const Eigen::Vector3d w = nearestInTriangle(p, a, b, c);
+    const double distance_sq = (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
+    if (distance_sq < best.distance_sq || (distance_sq == best.distance_sq && face < best.face))
+      best = {distance_sq, face, w};
+  }
+
+  void search(int number, const Eigen::Vector3d& p, Best& best) const {
+    const Node& node = nodes[number];
+    if (node.left == 0) {
+      for (int i = node.first; i < node.last; ++i) tryFace(order[i], p, best);
+      return;
+    }
+    int near = node.left, far = node.right;
+    double near_sq = nodes[near].box.squaredExteriorDistance(p);
+    double far_sq = nodes[far].box.squaredExteriorDistance(p);
+    if (far_sq < near_sq) {
+      std::swap(near, far);
+      std::swap(near_sq, far_sq);
+    }
+    if (near_sq <= best.distance_sq) search(near, p, best);
+    if (far_sq <= best.distance_sq) search(far, p, best);
+  }
+};
+
+MeshLocator::MeshLocator(const TriangleMesh& mesh) : tree_(std::make_unique<Tree>(mesh)) {}
+MeshLocator::~MeshLocator() = default;
+
+MeshLocator::Place MeshLocator::nearest(const Eigen::Vector3d& point) const {
+  Tree::Best best;
+  tree_->search(0, point, best);
+  Place place{{-1, best.face, best.barycentric}, std::sqrt(best.distance_sq)};
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const double distance_sq = (tree_->corner(best.face, k) - point).squaredNorm();
+    if (distance_sq >= shortest) continue;
+    shortest = distance_sq;
+    place.on_mesh.vertex = tree_->mesh.faces(best.face, k);
+  }
+  return place;
+}
+
+}  // namespace posture

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/scan/reconstruct.h>
+
+#include "back_end.h"
+#include "blocks.h"
+#include "distinct_points.h"
+#include "front_end.h"
+#include "outside_hints.h"
+#include "place_on_mesh.h"
+
+namespace posture {
+namespace {
+
+/// Non-zero for the rows of the cloud at a place that was kept.
+std::vector<char> belongingRows(const DistinctPoints& distinct, const std::vector<int>& kept) {
+  std::vector<char> belongs(distinct.place.size(), 0);
+  std::vector<char> is_kept(distinct.input.size(), 0);
+  for (int i : kept) is_kept[i] = 1;
+  for (std::size_t row = 0; row < belongs.size(); ++row)
+    if (distinct.place[row] >= 0) belongs[row] = is_kept[distinct.place[row]];
+  return belongs;
+}
+
+void requireValid(const PointCloud& cloud) {
+  const Eigen::Index n = cloud.points.rows();
+  require(cloud.normals.rows() == 0 || cloud.normals.rows() == n,
+          "reconstruct: not a normal a point");
+  require(cloud.width >= 0, "reconstruct: a grid of negative width");
+}
+
+/// Every point of the cloud that is no outlier, on the mesh; both in the cloud's frame.
+void placePoints(const PointCloud& cloud, const std::vector<char>& belongs, ScanSurface& surface) {
+  const int n = static_cast<int>(cloud.points.rows());
+  surface.on_mesh.resize(n);
+  surface.offset = Vector::Zero(n);
+  const MeshLocator locator(surface.mesh);
+  forEach(n, [&](int i) {
+    if (!belongs[i]) return;
+    const MeshLocator::Place place = locator.nearest(cloud.points.row(i));
+    surface.on_mesh[i] = place.on_mesh;
+    surface.offset[i] = place.distance;
+  });
+}
+
+}  // namespace
+
+ScanSurface reconstruct(const PointCloud& cloud, const ReconstructionOptions& options) {
+  requireValid(cloud);
+  ScanSurface surface;
+  ReconstructionSummary& summary = surface.summary;
+  const DistinctPoints distinct = distinctPoints(cloud.points);
+  summary.points = static_cast<int>(cloud.points.rows());
+  summary.missing = distinct.missing;
+  summary.repeated = distinct.repeated;
+
+  std::vector<int> kept;
+  const ScanPoints scan =
+      filterPoints({distinct.points, outsideHints(cloud, distinct.input)}, kept, summary);
+  const OrientedPoints samples = sampleSurface(scan, options.surface, summary);
+  surface.mesh = meshSamples(samples, options.surface, summary);
+
+  surface.mesh.vertices = distinct.frame.toCloud(surface.mesh.vertices);
+  for (double* length :
+       {&summary.spacing, &summary.noise, &summary.mesh_spacing, &summary.boundary_length})
+    *length *= distinct.frame.unit;
+  placePoints(cloud, belongingRows(distinct, kept), surface);
+  return surface;
+}
+
+}  // namespace posture

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "neighbors.h"
+
+namespace posture {
+
+/// Points of a surface with the outside told.
+struct OrientedPoints {
+  Points points;   ///< n x 3
+  Points normals;  ///< n x 3, unit
+};
+
+/// Moves points along their normals onto the surface of their neighbours, in two passes. Exact on
+/// circular arcs, where it does not shrink; sheets that face each other do not mix.
+/// \param rho  distance from the surface that noise explains.
+void smooth(const NeighborTable& neighbors, double sigma, double rho, OrientedPoints& oriented);
+
+}  // namespace posture

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "spacing.h"
+
+#include "blocks.h"
+#include <algorithm>
+#include <cmath>
+
+namespace posture {
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + (static_cast<std::ptrdiff_t>(values.size()) - 1) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double spacing(const Points& points, const NeighborTable& neighbors) {
+  const int n = static_cast<int>(points.rows());
+  std::vector<double> sides(n);
+  forEach(n, [&](int i) {
+    const int count = std::min(16, neighborCount(neighbors, i));
+    if (count == 0) return;
+    const double radius = (points.row(neighbors(i, count - 1)) - points.row(i)).norm();
+    sides[i] = radius * std::sqrt(M_PI / count);
+  });
+  return median(std::move(sides));
+}
+
+}  // namespace posture
