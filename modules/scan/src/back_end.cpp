@@ -87,7 +87,7 @@ TriangleMesh meshSamples(const OrientedPoints& samples,
       mesh = tangentSurface(samples, search, neighbors, h);
       break;
     case SurfaceMethod::POISSON:
-      throw InputError("the Poisson surface is not built in");
+      mesh = untangled(samples, poissonSurface(samples, h));
       break;
     case SurfaceMethod::GREEDY:
       mesh = untangled(samples, greedySurface(samples, h));

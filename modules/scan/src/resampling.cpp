@@ -43,7 +43,7 @@ NoiseScale noiseScale(const Points& points, const NeighborSearch& search) {
   NoiseScale scale;
   double least = 1;
   int flat_at = 0;
-  for (int k = 10; k <= 320 && k < points.rows(); k *= 2) {
+  for (int k = 10; k <= 5120 && k < points.rows() / 16; k *= 2) {
     const double thickness = relativeThickness(points, search, k);
     least = std::min(least, thickness);
     if (flat_at == 0 && thickness < FLAT) flat_at = k;

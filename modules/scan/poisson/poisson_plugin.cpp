@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../src/pcl_cloud.h"
+#include "../src/poisson_plugin.h"
+
+#include <pcl/surface/poisson.h>
+
+extern "C" __attribute__((visibility("default"))) void posturePoissonSurface(
+    const posture::OrientedPoints& oriented, int depth, posture::TriangleMesh& mesh) {
+  pcl::Poisson<pcl::PointNormal> poisson;
+  poisson.setDepth(depth);
+  // More threads sum in another order.
+  poisson.setThreads(1);
+  poisson.setInputCloud(posture::toPclCloud(oriented));
+  pcl::PointCloud<pcl::PointNormal> vertices;
+  std::vector<pcl::Vertices> polygons;
+  poisson.performReconstruction(vertices, polygons);
+  mesh = {posture::Points(static_cast<Eigen::Index>(vertices.size()), 3),
+          posture::toFaces(polygons)};
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    mesh.vertices.row(static_cast<Eigen::Index>(v)) =
+        vertices[v].getVector3fMap().transpose().cast<double>();
+}

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "blocks.h"
+#include "pcl_surfaces.h"
+#include "poisson_plugin.h"
+#include <posture/core/error.h>
+#include <posture/mesh/normals.h>
+#include <posture/mesh/point_index.h>
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace posture {
+namespace {
+
+PoissonFunction loadPoisson() {
+  for (const char* path : {POSTURE_POISSON_INSTALLED, POSTURE_POISSON_BUILT})
+    if (void* library = dlopen(path, RTLD_NOW | RTLD_LOCAL))
+      if (void* function = dlsym(library, POISSON_FUNCTION))
+        return reinterpret_cast<PoissonFunction>(function);
+  throw std::runtime_error("the Poisson surface needs " POSTURE_POISSON_INSTALLED
+                           ", which cannot be loaded");
+}
+
+}  // namespace
+
+TriangleMesh poissonSurface(const OrientedPoints& oriented, double spacing) {
+  static const PoissonFunction poisson = loadPoisson();
+  const double extent =
+      (oriented.points.colwise().maxCoeff() - oriented.points.colwise().minCoeff()).maxCoeff();
+  // Cells of the octree as wide as the points are apart; PCL's box is a tenth wider than they.
+  const int depth =
+      std::clamp(static_cast<int>(std::ceil(std::log2(1.1 * extent / spacing))), 5, 12);
+  TriangleMesh mesh;
+  poisson(oriented, depth, mesh);
+
+  const PointIndex index(oriented.points);
+  const Points normals = vertexNormals(mesh);
+  const int n = static_cast<int>(mesh.vertices.rows());
+  std::vector<char> supported(n);
+  forEach(n, [&](int v) {
+    const auto near = index.nearest(mesh.vertices.row(v));
+    // Of either sign: which way PCL turns its faces is the caller's business.
+    supported[v] = near.distance <= 2 * spacing &&
+                   std::abs(normals.row(v).dot(oriented.normals.row(near.index))) > 0.2;
+  });
+  std::vector<int> kept;
+  for (int f = 0; f < mesh.faces.rows(); ++f)
+    if (supported[mesh.faces(f, 0)] && supported[mesh.faces(f, 1)] && supported[mesh.faces(f, 2)])
+      kept.push_back(f);
+  mesh.faces = Faces(mesh.faces(kept, Eigen::all));
+  return mesh;
+}
+
+}  // namespace posture
