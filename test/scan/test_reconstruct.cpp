@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
-#include <posture/core/rng.h>
+#include <posture/geodesic/fast_marching.h>
 #include <posture/mesh/half_edge_mesh.h>
 #include <posture/mesh/normals.h>
 #include <posture/scan/reconstruct.h>
@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/shapes.h"
+#include "scan_shapes.h"
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -18,22 +18,9 @@
 namespace posture {
 namespace {
 
-PointCloud cloudOf(Points points) {
-  PointCloud cloud;
-  cloud.points = std::move(points);
-  return cloud;
-}
+using test::cloudOf;
 
-/// Evenly spread random points of the unit sphere, moved along the normal by noise.
-Points spherePoints(int count, double noise, std::uint64_t seed = 1) {
-  Rng rng(seed);
-  Points points(count, 3);
-  for (int i = 0; i < count; ++i) {
-    const Eigen::RowVector3d direction(rng.normal(), rng.normal(), rng.normal());
-    points.row(i) = (1 + noise * rng.normal()) * direction.normalized();
-  }
-  return points;
-}
+constexpr double NOTHING = std::numeric_limits<double>::quiet_NaN();
 
 int eulerCharacteristic(const TriangleMesh& mesh) {
   const HalfEdgeMesh half_edges(mesh.faces, static_cast<int>(mesh.vertices.rows()));
@@ -50,11 +37,21 @@ void expectManifold(const TriangleMesh& mesh) {
   EXPECT_NO_THROW(HalfEdgeMesh(mesh.faces, static_cast<int>(mesh.vertices.rows())));
 }
 
+std::string refusal(const Points& points) {
+  try {
+    reconstruct(cloudOf(points));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
 TEST(Reconstruct, ClosesASphereAndLooksOutwards) {
-  const ScanSurface surface = reconstruct(cloudOf(spherePoints(4000, 0.002)));
+  const ScanSurface surface = reconstruct(cloudOf(test::spherePoints(4000, 0.002)));
   expectManifold(surface.mesh);
   EXPECT_EQ(surface.summary.components, 1);
   EXPECT_EQ(surface.summary.boundary_loops, 0);
+  EXPECT_TRUE(surface.summary.warnings.empty());
   EXPECT_EQ(eulerCharacteristic(surface.mesh), 2);
   const Points normals = vertexNormals(surface.mesh);
   for (int v = 0; v < normals.rows(); ++v) {
@@ -62,6 +59,237 @@ TEST(Reconstruct, ClosesASphereAndLooksOutwards) {
     EXPECT_NEAR(surface.mesh.vertices.row(v).norm(), 1, 0.01);
   }
 }
+
+TEST(Reconstruct, KeepsTheTopologyOfATorus) {
+  const ScanSurface surface = reconstruct(cloudOf(test::torusPoints(6000, 1, 0.35)));
+  expectManifold(surface.mesh);
+  EXPECT_EQ(surface.summary.boundary_loops, 0);
+  EXPECT_EQ(eulerCharacteristic(surface.mesh), 0);
+}
+
+TEST(Reconstruct, LeavesAHoleOpen) {
+  const ScanSurface surface = reconstruct(cloudOf(test::planePoints(5000, 0, 0.2)));
+  expectManifold(surface.mesh);
+  EXPECT_EQ(surface.summary.components, 1);
+  EXPECT_EQ(surface.summary.boundary_loops, 2);
+  for (int f = 0; f < surface.mesh.faces.rows(); ++f) {
+    const Eigen::RowVector3d center =
+        surface.mesh.vertices(surface.mesh.faces.row(f), Eigen::all).colwise().mean();
+    EXPECT_GT((center - Eigen::RowVector3d(0.5, 0.5, 0)).norm(), 0.18);
+  }
+}
+
+TEST(Reconstruct, TakesAPlaneForAnOpenSurface) {
+  const ScanSurface surface = reconstruct(cloudOf(test::planePoints(2000, 3)));
+  expectManifold(surface.mesh);
+  EXPECT_EQ(surface.summary.boundary_loops, 1);
+  EXPECT_EQ(eulerCharacteristic(surface.mesh), 1);
+}
+
+TEST(Reconstruct, DoesNotJoinOpposingSheets) {
+  // A closed box of a tenth of its width: three spacings. Its sheets are joined at the rim alone.
+  Points box = test::joined(test::planePoints(1500, 0), test::planePoints(1500, 0.1, 0, 2));
+  Rng rng(3);
+  Points rim(600, 3);
+  for (int i = 0; i < 600; ++i) {
+    const double along = rng.uniform(), up = 0.1 * rng.uniform();
+    const int side = i % 4;
+    rim.row(i) << (side == 0   ? 0
+                   : side == 1 ? 1
+                               : along),
+        (side == 2   ? 0
+         : side == 3 ? 1
+                     : along),
+        up;
+  }
+  const ScanSurface surface = reconstruct(cloudOf(test::joined(box, rim)));
+  expectManifold(surface.mesh);
+  const Points& vertices = surface.mesh.vertices;
+  const auto nearestTo = [&](const Eigen::RowVector3d& place) {
+    Eigen::Index nearest = 0;
+    (vertices.rowwise() - place).rowwise().squaredNorm().minCoeff(&nearest);
+    return static_cast<int>(nearest);
+  };
+  GeodesicField field;
+  FastMarching(surface.mesh).march(nearestTo({0.5, 0.5, 0}), field);
+  // To the rim, up and back.
+  EXPECT_NEAR(field.distance[nearestTo({0.5, 0.5, 0.1})], 1.1, 0.12);
+}
+
+/// Two upright tubes of radius 1 and `points` points each, `gap` apart. What lies less than `angle`
+/// from their contact around a tube is in the crevice and not seen.
+Points touchingTubes(int points, double length, double gap, double angle) {
+  const auto seen = [&](const Points& tube, double x, double side) {
+    std::vector<int> rows;
+    for (int i = 0; i < tube.rows(); ++i)
+      if (side * (tube(i, 0) - x) < std::cos(angle)) rows.push_back(i);
+    return Points(tube(rows, Eigen::all));
+  };
+  return test::joined(seen(test::tubePoints(points, -1, 1, length, 1), -1, 1),
+                      seen(test::tubePoints(points, 1 + gap, 1, length, 2), 1 + gap, -1));
+}
+
+TEST(Reconstruct, DoesNotJoinTubesThatTouch) {
+  // A radius of ten spacings.
+  const ScanSurface surface = reconstruct(cloudOf(touchingTubes(4000, 6, 0, 0.45)));
+  expectManifold(surface.mesh);
+  EXPECT_EQ(surface.summary.components, 2);
+  EXPECT_EQ(surface.summary.contacts, 0);
+}
+
+TEST(Reconstruct, SaysWherePartsMayBeJoined) {
+  // A radius of four spacings and a gap of one: beyond telling.
+  const ScanSurface surface = reconstruct(cloudOf(touchingTubes(1500, 15, 0.25, 0.45)));
+  expectManifold(surface.mesh);
+  ASSERT_EQ(surface.summary.components, 1);
+  EXPECT_GT(surface.summary.contacts, 0);
+  EXPECT_FALSE(surface.summary.warnings.empty());
+}
+
+TEST(Reconstruct, KeepsPartsThatAGapCutsOff) {
+  Points second = test::spherePoints(1000, 0, 2);
+  second.col(0).array() += 4;
+  const ScanSurface surface =
+      reconstruct(cloudOf(test::joined(test::spherePoints(4000, 0), second)));
+  EXPECT_EQ(surface.summary.components, 2);
+  EXPECT_EQ(surface.summary.boundary_loops, 0);
+}
+
+TEST(Reconstruct, TellsWhereEachPointIs) {
+  Points points = test::spherePoints(3000, 0.005);
+  points.row(7).setConstant(NOTHING);
+  points.row(8) << 5, 5, 5;
+  points.row(9) = points.row(10);
+  const ScanSurface surface = reconstruct(cloudOf(points));
+  EXPECT_EQ(surface.summary.missing, 1);
+  EXPECT_EQ(surface.summary.repeated, 1);
+  EXPECT_GE(surface.summary.outliers, 1);
+  ASSERT_EQ(surface.on_mesh.size(), 3000u);
+  EXPECT_EQ(surface.on_mesh[7].vertex, -1);
+  EXPECT_EQ(surface.on_mesh[8].vertex, -1);
+  EXPECT_EQ(surface.on_mesh[9].face, surface.on_mesh[10].face);
+  for (int i = 11; i < 3000; ++i) {
+    const SurfacePoint& place = surface.on_mesh[i];
+    if (place.vertex < 0) continue;
+    const Eigen::RowVector3d at =
+        place.barycentric.transpose() *
+        Eigen::Matrix3d(surface.mesh.vertices(surface.mesh.faces.row(place.face), Eigen::all));
+    EXPECT_NEAR((at - points.row(i)).norm(), surface.offset[i], 1e-12);
+    EXPECT_LT(surface.offset[i], 0.05);
+  }
+}
+
+TEST(Reconstruct, SurvivesOutliersAndNoise) {
+  Rng rng(5);
+  Points wild(600, 3);
+  for (int i = 0; i < wild.size(); ++i) wild.data()[i] = 4 * rng.uniform() - 2;
+  const ScanSurface surface =
+      reconstruct(cloudOf(test::joined(test::spherePoints(6000, 0.02), wild)));
+  expectManifold(surface.mesh);
+  EXPECT_EQ(surface.summary.components, 1);
+  const Vector radii = surface.mesh.vertices.rowwise().norm();
+  EXPECT_NEAR(radii.mean(), 1, 0.01);
+  EXPECT_LT((radii.array() - 1).abs().maxCoeff(), 0.1);
+}
+
+TEST(Reconstruct, LooksAtTheSensorOfAView) {
+  // A bowl seen from inside, in the order of a depth image; the hidden half is missing.
+  constexpr int WIDTH = 60;
+  PointCloud view;
+  view.points = Points::Constant(WIDTH * WIDTH, 3, NOTHING);
+  for (int row = 0; row < WIDTH; ++row)
+    for (int column = 0; column < WIDTH; ++column) {
+      const double x = (column - 29.5) / 30, y = (row - 29.5) / 30, r = x * x + y * y;
+      // The camera looks along +z: x to the right, y down.
+      if (r < 0.8) view.points.row(WIDTH * row + column) << x, y, 3 + std::sqrt(1 - r);
+    }
+  for (const bool knows_sensor : {true, false}) {
+    view.width = knows_sensor ? 0 : WIDTH;
+    view.sensor.reset();
+    if (knows_sensor) view.sensor = Eigen::Vector3d::Zero();
+    const ScanSurface surface = reconstruct(view);
+    EXPECT_TRUE(surface.summary.oriented_by_sensor);
+    EXPECT_EQ(surface.summary.boundary_loops, 1);
+    const Points normals = vertexNormals(surface.mesh);
+    for (int v = 0; v < normals.rows(); ++v)
+      EXPECT_LT(normals.row(v).dot(surface.mesh.vertices.row(v)), 0);
+  }
+}
+
+TEST(Reconstruct, DoesNotDependOnThreads) {
+  const PointCloud cloud = cloudOf(test::torusPoints(5000, 1, 0.3));
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const ScanSurface one = reconstruct(cloud);
+  omp_set_num_threads(4);
+  const ScanSurface four = reconstruct(cloud);
+  omp_set_num_threads(threads);
+  EXPECT_EQ(one.mesh.vertices, four.mesh.vertices);
+  EXPECT_EQ(one.mesh.faces, four.mesh.faces);
+  EXPECT_EQ(one.offset, four.offset);
+}
+
+TEST(Reconstruct, DoesNotDependOnTheOrderOfThePoints) {
+  const Points points = test::torusPoints(3000, 1, 0.3);
+  const ScanSurface given = reconstruct(cloudOf(points));
+  const ScanSurface reversed = reconstruct(cloudOf(points.colwise().reverse()));
+  EXPECT_EQ(given.mesh.vertices, reversed.mesh.vertices);
+  EXPECT_EQ(given.mesh.faces, reversed.mesh.faces);
+}
+
+TEST(Reconstruct, WorksInAnyUnitAndFarFromTheOrigin) {
+  const Points points = test::torusPoints(3000, 1, 0.3);
+  const ScanSurface given = reconstruct(cloudOf(points));
+  for (const double unit : {std::exp2(-30), std::exp2(30)}) {
+    const ScanSurface scaled = reconstruct(cloudOf(unit * points));
+    EXPECT_EQ(scaled.mesh.faces, given.mesh.faces);
+    EXPECT_NEAR(scaled.summary.spacing / unit, given.summary.spacing, 1e-9);
+  }
+  const Eigen::RowVector3d far_away(1e6, -3e6, 2e6);
+  const ScanSurface moved = reconstruct(cloudOf(points.rowwise() + far_away));
+  expectManifold(moved.mesh);
+  EXPECT_EQ(eulerCharacteristic(moved.mesh), 0);
+  EXPECT_EQ(moved.summary.boundary_loops, 0);
+}
+
+TEST(Reconstruct, RefusesWhatIsNoSurface) {
+  EXPECT_EQ(refusal(Points(0, 3)), "has no points");
+  EXPECT_EQ(refusal(Points::Constant(100, 3, NOTHING)), "has no point with finite coordinates");
+  EXPECT_EQ(refusal(Points::Constant(100, 3, std::numeric_limits<double>::infinity())),
+            "has no point with finite coordinates");
+  EXPECT_EQ(refusal(Points::Constant(100, 3, 2)), "has all its points at one place");
+  EXPECT_EQ(refusal(test::spherePoints(2, 0)), "has only 2 different points: a surface takes 32");
+  Points line(1000, 3);
+  for (int i = 0; i < 1000; ++i) line.row(i) << i, 2.0 * i, 0.1 * i;
+  EXPECT_EQ(refusal(line), "has all its points on one line");
+}
+
+TEST(Reconstruct, RefusesNormalsThatDoNotFit) {
+  PointCloud cloud = cloudOf(test::spherePoints(100, 0));
+  cloud.normals.resize(99, 3);
+  EXPECT_THROW(reconstruct(cloud), std::invalid_argument);
+}
+
+class OtherSurfaces : public testing::TestWithParam<SurfaceMethod> {};
+
+TEST_P(OtherSurfaces, AreManifoldAndLookOutwards) {
+  const ScanSurface surface = reconstruct(cloudOf(test::spherePoints(2000, 0.002)), {GetParam()});
+  expectManifold(surface.mesh);
+  const Points normals = vertexNormals(surface.mesh);
+  int inward = 0;
+  for (int v = 0; v < normals.rows(); ++v) {
+    inward += normals.row(v).dot(surface.mesh.vertices.row(v)) < 0.5;
+    EXPECT_NEAR(surface.mesh.vertices.row(v).norm(), 1, 0.03);
+  }
+  // The greedy projection folds single triangles over.
+  EXPECT_LT(inward, normals.rows() / 50);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfPcl,
+                         OtherSurfaces,
+                         testing::Values(SurfaceMethod::MLS,
+                                         SurfaceMethod::POISSON,
+                                         SurfaceMethod::GREEDY));
 
 }  // namespace
 }  // namespace posture

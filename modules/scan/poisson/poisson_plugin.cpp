@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../src/pcl_cloud.h"
 #include "../src/poisson_plugin.h"
 
 #include <pcl/surface/poisson.h>
+
+#include "../src/pcl_cloud.h"
 
 extern "C" __attribute__((visibility("default"))) void posturePoissonSurface(
     const posture::OrientedPoints& oriented, int depth, posture::TriangleMesh& mesh) {

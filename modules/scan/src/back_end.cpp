@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "agreement.h"
+#include "doubts.h"
 #include "pcl_surfaces.h"
 #include "repair.h"
 #include "spacing.h"
@@ -45,7 +46,7 @@ TriangleMesh repaired(TriangleMesh mesh, double spacing, int& dropped) {
 TriangleMesh tangentSurface(const OrientedPoints& samples,
                             const NeighborSearch& search,
                             const NeighborTable& neighbors,
-                            double spacing) {
+                            const Spacing& spacing) {
   return {
       samples.points,
       agreeingFaces(samples,
@@ -79,7 +80,8 @@ TriangleMesh meshSamples(const OrientedPoints& samples,
   if (samples.points.rows() < 4) throw InputError("shows no surface");
   const NeighborSearch search(samples.points);
   const NeighborTable neighbors = search.table(32);
-  const double h = summary.mesh_spacing = spacing(samples.points, neighbors);
+  const Spacing h = spacing(samples.points, neighbors);
+  summary.mesh_spacing = h.median;
   TriangleMesh mesh;
   switch (method) {
     case SurfaceMethod::TANGENT_DELAUNAY:
@@ -87,15 +89,17 @@ TriangleMesh meshSamples(const OrientedPoints& samples,
       mesh = tangentSurface(samples, search, neighbors, h);
       break;
     case SurfaceMethod::POISSON:
-      mesh = untangled(samples, poissonSurface(samples, h));
+      mesh = untangled(samples, poissonSurface(samples, h.median));
       break;
     case SurfaceMethod::GREEDY:
-      mesh = untangled(samples, greedySurface(samples, h));
+      mesh = untangled(samples, greedySurface(samples, h.median));
       break;
   }
-  mesh = repaired(std::move(mesh), h, summary.dropped_pieces);
+  mesh = repaired(std::move(mesh), h.median, summary.dropped_pieces);
   if (mesh.faces.rows() == 0) throw InputError("shows no surface");
   describe(mesh, summary);
+  summary.contacts = possibleContacts(mesh, h.median);
+  summary.thin = thinShare(mesh, h.median);
   return mesh;
 }
 

@@ -52,8 +52,9 @@ ScanPoints filterPoints(const ScanPoints& given,
                         std::vector<int>& kept,
                         ReconstructionSummary& summary) {
   const NeighborTable neighbors = NeighborSearch(given.points).table(16);
-  summary.spacing = spacing(given.points, neighbors);
-  const std::vector<char> keep = withoutOutliers(given.points, neighbors, summary.spacing);
+  const Spacing h = spacing(given.points, neighbors);
+  summary.spacing = h.median;
+  const std::vector<char> keep = withoutOutliers(given.points, neighbors, h);
   for (int i = 0; i < given.points.rows(); ++i)
     if (keep[i]) kept.push_back(i);
   summary.outliers = static_cast<int>(given.points.rows()) - static_cast<int>(kept.size());
@@ -77,21 +78,20 @@ OrientedPoints sampleSurface(const ScanPoints& scan,
                              ReconstructionSummary& summary) {
   OrientedPoints oriented{scan.points, {}};
   NeighborTable neighbors = NeighborSearch(scan.points).table(NEIGHBORS);
-  const double h = spacing(scan.points, neighbors), sigma = 1.2 * h;
+  const Spacing h = spacing(scan.points, neighbors);
   if (method == SurfaceMethod::MLS) {
-    oriented = movingLeastSquares(scan.points, 3 * h);
+    oriented = movingLeastSquares(scan.points, 3 * h.median);
     neighbors = NeighborSearch(oriented.points).table(NEIGHBORS);
   }
-  EstimatedNormals estimated = estimateNormals(scan.points, neighbors, h, sigma);
+  EstimatedNormals estimated = estimateNormals(scan.points, neighbors, h);
   summary.noise = estimated.residual;
   if (method != SurfaceMethod::MLS) oriented.normals = std::move(estimated.normals);
   const OrientationSummary orientation =
       orientNormals(oriented.points, neighbors, h, scan.hints, oriented.normals);
   summary.oriented_by_sensor = orientation.by_sensor;
   summary.oriented_by_normals = orientation.by_normals;
-  if (method != SurfaceMethod::MLS)
-    smooth(neighbors, sigma, std::max(1.5 * estimated.residual, 0.25 * h), oriented);
-  return thin(oriented, neighbors, 0.8 * h);
+  if (method != SurfaceMethod::MLS) smooth(neighbors, h, estimated.relative_residual, oriented);
+  return thin(oriented, neighbors, h);
 }
 
 }  // namespace posture

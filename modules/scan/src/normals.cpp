@@ -13,10 +13,12 @@ namespace {
 
 constexpr int FEWEST = 8;  ///< neighbours that count at any distance
 
-EstimatedNormals planesOfTen(const Points& points, const NeighborTable& neighbors) {
+EstimatedNormals planesOfTen(const Points& points,
+                             const NeighborTable& neighbors,
+                             const Spacing& spacing) {
   const int n = static_cast<int>(points.rows());
   EstimatedNormals estimated{Points(n, 3)};
-  std::vector<double> residuals(n);
+  std::vector<double> residuals(n), relative(n);
   forEach(n, [&](int i) {
     LocalPlane plane;
     plane.add(Eigen::Vector3d::Zero(), 1);
@@ -26,20 +28,23 @@ EstimatedNormals planesOfTen(const Points& points, const NeighborTable& neighbor
     const LocalPlane::Fit fit = plane.fit();
     estimated.normals.row(i) = fit.normal;
     residuals[i] = fit.residual;
+    relative[i] = fit.residual / spacing.at[i];
   });
   estimated.residual = median(std::move(residuals));
+  estimated.relative_residual = median(std::move(relative));
   return estimated;
 }
 
 Points robustPass(const Points& points,
                   const Points& normals,
                   const NeighborTable& neighbors,
-                  double sigma,
-                  double rho) {
+                  const Spacing& spacing,
+                  double noise) {
   const int n = static_cast<int>(points.rows());
   Points better(n, 3);
   forEach(n, [&](int i) {
     const Eigen::Vector3d normal = normals.row(i);
+    const double sigma = reach(spacing.at[i]), rho = noise * spacing.at[i];
     LocalPlane plane;
     plane.add(Eigen::Vector3d::Zero(), 1);
     for (int k = 0; k < neighbors.cols(); ++k) {
@@ -62,12 +67,11 @@ Points robustPass(const Points& points,
 
 EstimatedNormals estimateNormals(const Points& points,
                                  const NeighborTable& neighbors,
-                                 double spacing,
-                                 double sigma) {
-  EstimatedNormals estimated = planesOfTen(points, neighbors);
-  const double rho = std::max(1.5 * estimated.residual, 0.25 * spacing);
+                                 const Spacing& spacing) {
+  EstimatedNormals estimated = planesOfTen(points, neighbors, spacing);
+  const double noise = noiseReach(estimated.relative_residual);
   for (int pass = 0; pass < 2; ++pass)
-    estimated.normals = robustPass(points, estimated.normals, neighbors, sigma, rho);
+    estimated.normals = robustPass(points, estimated.normals, neighbors, spacing, noise);
   return estimated;
 }
 

@@ -3,20 +3,20 @@
 #pragma once
 
 #include "neighbors.h"
+#include "spacing.h"
 
 namespace posture {
 
 struct EstimatedNormals {
   Points normals;       ///< n x 3, unit, of any sign
   double residual = 0;  ///< median distance of the points from the plane of their 10 neighbours
+  double relative_residual = 0;  ///< the same in spacings
 };
 
 /// Normals from the plane of the neighbours, in two passes that give less and less weight to what
 /// is off the plane or turned away from it: opposing sheets and creases do not blur them.
-/// \param sigma  reach of the weights.
 EstimatedNormals estimateNormals(const Points& points,
                                  const NeighborTable& neighbors,
-                                 double spacing,
-                                 double sigma);
+                                 const Spacing& spacing);
 
 }  // namespace posture

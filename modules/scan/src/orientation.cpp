@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "orientation.h"
 
-#include <posture/core/rng.h>
-
 #include "blocks.h"
 #include <algorithm>
 #include <cmath>
@@ -66,7 +64,7 @@ class SignedSets {
 };
 
 /// How badly two points fit on one smooth surface, and whether their normals then disagree.
-Link link(const Points& points, const Points& normals, int i, int j, double spacing) {
+Link link(const Points& points, const Points& normals, int i, int j, const Spacing& spacing) {
   const Eigen::RowVector3d offset = points.row(j) - points.row(i);
   const double length = offset.norm();
   const Eigen::RowVector3d d = offset / length;
@@ -75,7 +73,8 @@ Link link(const Points& points, const Points& normals, int i, int j, double spac
   const double c = normals.row(i).dot(normals.row(j)) - 2 * along_i * along_j;
   // Without the second term points stacked along the normal, of opposing sheets, fit perfectly.
   const double stacked = 0.5 * std::max(along_i * along_i, along_j * along_j);
-  const double weight = 1 - std::abs(c) + stacked + 0.02 * length / spacing;
+  const double weight =
+      1 - std::abs(c) + stacked + 0.02 * length / std::max(spacing.at[i], spacing.at[j]);
   return {static_cast<float>(weight), i, j, c < 0};
 }
 
@@ -83,14 +82,14 @@ Link link(const Points& points, const Points& normals, int i, int j, double spac
 std::vector<Link> surfaceLinks(const Points& points,
                                const NeighborTable& neighbors,
                                const Points& normals,
-                               double spacing) {
+                               const Spacing& spacing) {
   const int n = static_cast<int>(points.rows());
   const int columns = std::min(12, static_cast<int>(neighbors.cols()));
   std::vector<Link> links(static_cast<std::size_t>(n) * columns, Link{-1, 0, 0, false});
   forEach(n, [&](int i) {
     for (int k = 0; k < columns; ++k) {
       const int j = neighbors(i, k);
-      if (j < 0 || (points.row(j) - points.row(i)).norm() > 5 * spacing) break;
+      if (j < 0 || (points.row(j) - points.row(i)).norm() > 5 * spacing.at[i]) break;
       const auto of_j = neighbors.row(j).head(columns);
       const bool both = std::find(of_j.begin(), of_j.end(), i) != of_j.end();
       if (i < j || !both)
@@ -113,22 +112,30 @@ void addSensorLinks(const Points& directions, const Points& normals, std::vector
   }
 }
 
-/// How far the normals of some points look away from the inside of their hull: for a closed
-/// surface near +1 or -1, for an open one less.
-double outwardness(const Points& points, const Points& normals, const std::vector<int>& part) {
-  constexpr int DIRECTIONS = 100;
-  std::vector<double> looks(DIRECTIONS);
-  parallelFor(DIRECTIONS, [&](int s) {
-    // Spread evenly: a Fibonacci lattice.
-    const double z = 1 - (2 * s + 1.0) / DIRECTIONS, angle = s * M_PI * (3 - std::sqrt(5.0));
-    const double r = std::sqrt(1 - z * z);
-    const Eigen::RowVector3d u(r * std::cos(angle), r * std::sin(angle), z);
-    int extreme = part.front();
-    for (int i : part)
-      if (points.row(i).dot(u) > points.row(extreme).dot(u)) extreme = i;
-    looks[s] = normals.row(extreme).dot(u);
-  });
-  return std::accumulate(looks.begin(), looks.end(), 0.0) / DIRECTIONS;
+/// What the points of a part enclose, each standing for the square of its spacing.
+struct Enclosure {
+  double volume = 0;  ///< three times that, about the centroid: negative where normals look inwards
+  double openness = 0;  ///< 0: closed; 1: a plane
+};
+
+Enclosure enclosure(const Points& points,
+                    const Points& normals,
+                    const std::vector<int>& part,
+                    const Spacing& spacing) {
+  Eigen::RowVector3d center = Eigen::RowVector3d::Zero(), area_vector = center;
+  double area = 0;
+  for (int i : part) {
+    const double a = spacing.at[i] * spacing.at[i];
+    center += a * points.row(i);
+    area_vector += a * normals.row(i);
+    area += a;
+  }
+  center /= area;
+  Enclosure result;
+  for (int i : part)
+    result.volume += spacing.at[i] * spacing.at[i] * normals.row(i).dot(points.row(i) - center);
+  result.openness = area_vector.norm() / area;
+  return result;
 }
 
 struct HintVote {
@@ -151,10 +158,11 @@ HintVote vote(const Points& directions, const Points& normals, const std::vector
 bool looksInward(const Points& points,
                  const Points& normals,
                  const std::vector<int>& part,
+                 const Spacing& spacing,
                  const OutsideHints& hints,
                  OrientationSummary& summary) {
   // A closed body knows its outside better than normals of unknown origin do.
-  constexpr double CLOSED = 0.75;
+  constexpr double CLOSED = 0.2;
   // Of normals whose sign was left to chance half agree.
   constexpr double CONSISTENT = 0.9;
   const HintVote votes = vote(hints.directions, normals, part);
@@ -164,19 +172,19 @@ bool looksInward(const Points& points,
     summary.by_sensor = true;
     return share < 0.5;
   }
-  const double outward = outwardness(points, normals, part);
-  if (std::abs(outward) < CLOSED && voted && std::max(share, 1 - share) >= CONSISTENT) {
+  const Enclosure enclosed = enclosure(points, normals, part, spacing);
+  if (enclosed.openness > CLOSED && voted && std::max(share, 1 - share) >= CONSISTENT) {
     summary.by_normals = true;
     return share < 0.5;
   }
-  return outward < 0;
+  return enclosed.volume < 0;
 }
 
 }  // namespace
 
 OrientationSummary orientNormals(const Points& points,
                                  const NeighborTable& neighbors,
-                                 double spacing,
+                                 const Spacing& spacing,
                                  const OutsideHints& hints,
                                  Points& normals) {
   const int n = static_cast<int>(points.rows());
@@ -198,7 +206,7 @@ OrientationSummary orientNormals(const Points& points,
     const auto last =
         std::find_if(first, by_part.end(), [&](int i) { return root[i] != root[*first]; });
     const std::vector<int> part(first, last);
-    if (looksInward(points, normals, part, hints, summary))
+    if (looksInward(points, normals, part, spacing, hints, summary))
       for (int i : part) normals.row(i) *= -1;
     first = last;
   }

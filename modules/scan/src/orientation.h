@@ -3,6 +3,7 @@
 #pragma once
 
 #include "neighbors.h"
+#include "spacing.h"
 
 namespace posture {
 
@@ -28,7 +29,7 @@ struct OrientationSummary {
 /// tree), and each connected part of the points its outside.
 OrientationSummary orientNormals(const Points& points,
                                  const NeighborTable& neighbors,
-                                 double spacing,
+                                 const Spacing& spacing,
                                  const OutsideHints& hints,
                                  Points& normals);
 

@@ -3,14 +3,17 @@
 #pragma once
 
 #include "neighbors.h"
+#include "spacing.h"
 #include <vector>
 
 namespace posture {
 
 /// Non-zero for points that belong to a part of the scan: their sixth neighbour is within four
 /// spacings, and links of at most three spacings join them to a group of max(30, n / 500) points.
+/// Where the scan is sparse, spacings are those of the place, if the points lie on a surface there;
+/// outliers among themselves do not.
 std::vector<char> withoutOutliers(const Points& points,
                                   const NeighborTable& neighbors,
-                                  double spacing);
+                                  const Spacing& spacing);
 
 }  // namespace posture

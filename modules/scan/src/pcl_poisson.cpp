@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "blocks.h"
-#include "pcl_surfaces.h"
-#include "poisson_plugin.h"
 #include <posture/core/error.h>
 #include <posture/mesh/normals.h>
 #include <posture/mesh/point_index.h>
 
-#include <dlfcn.h>
-
+#include "blocks.h"
+#include "pcl_surfaces.h"
+#include "poisson_plugin.h"
 #include <algorithm>
 #include <cmath>
+#include <dlfcn.h>
 #include <vector>
 
 namespace posture {

@@ -9,6 +9,8 @@
 #include "front_end.h"
 #include "outside_hints.h"
 #include "place_on_mesh.h"
+#include <cmath>
+#include <string>
 
 namespace posture {
 namespace {
@@ -28,6 +30,23 @@ void requireValid(const PointCloud& cloud) {
   require(cloud.normals.rows() == 0 || cloud.normals.rows() == n,
           "reconstruct: not a normal a point");
   require(cloud.width >= 0, "reconstruct: a grid of negative width");
+}
+
+void warn(ReconstructionSummary& summary) {
+  const auto say = [&](const std::string& sentence) { summary.warnings.push_back(sentence); };
+  if (summary.double_walls)
+    say("views do not fit each other, or the noise has no end: the surface may be doubled");
+  if (summary.contacts > 0)
+    say("parts that touch, or sides of a deep crease, may be joined at " +
+        std::to_string(summary.contacts) + (summary.contacts == 1 ? " place" : " places"));
+  // Less than this are rims and tips.
+  constexpr double MANY = 0.02;
+  if (summary.thin > MANY)
+    say(std::to_string(std::lround(100 * summary.thin)) +
+        " % of the surface belongs to parts thinner than three spacings of its vertices: their "
+        "sides may be joined");
+  if (summary.components > 1)
+    say("the surface is in " + std::to_string(summary.components) + " pieces");
 }
 
 /// Every point of the cloud that is no outlier, on the mesh; both in the cloud's frame.
@@ -66,6 +85,7 @@ ScanSurface reconstruct(const PointCloud& cloud, const ReconstructionOptions& op
        {&summary.spacing, &summary.noise, &summary.mesh_spacing, &summary.boundary_length})
     *length *= distinct.frame.unit;
   placePoints(cloud, belongingRows(distinct, kept), surface);
+  warn(summary);
   return surface;
 }
 

@@ -10,12 +10,13 @@ namespace {
 
 OrientedPoints smoothed(const OrientedPoints& given,
                         const NeighborTable& neighbors,
-                        double sigma,
-                        double rho) {
+                        const Spacing& spacing,
+                        double noise) {
   OrientedPoints result = given;
   forEach(static_cast<int>(given.points.rows()), [&](int i) {
     const Eigen::RowVector3d point = given.points.row(i), normal = given.normals.row(i);
     Eigen::RowVector3d normal_sum = normal;
+    const double sigma = reach(spacing.at[i]), rho = noise * spacing.at[i];
     double weight_sum = 1, shift = 0;
     for (int j : neighbors.row(i)) {
       if (j < 0) break;
@@ -40,8 +41,12 @@ OrientedPoints smoothed(const OrientedPoints& given,
 
 }  // namespace
 
-void smooth(const NeighborTable& neighbors, double sigma, double rho, OrientedPoints& oriented) {
-  for (int pass = 0; pass < 2; ++pass) oriented = smoothed(oriented, neighbors, sigma, rho);
+void smooth(const NeighborTable& neighbors,
+            const Spacing& spacing,
+            double residual,
+            OrientedPoints& oriented) {
+  for (int pass = 0; pass < 2; ++pass)
+    oriented = smoothed(oriented, neighbors, spacing, noiseReach(residual));
 }
 
 }  // namespace posture

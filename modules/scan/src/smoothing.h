@@ -3,6 +3,7 @@
 #pragma once
 
 #include "neighbors.h"
+#include "spacing.h"
 
 namespace posture {
 
@@ -14,7 +15,10 @@ struct OrientedPoints {
 
 /// Moves points along their normals onto the surface of their neighbours, in two passes. Exact on
 /// circular arcs, where it does not shrink; sheets that face each other do not mix.
-/// \param rho  distance from the surface that noise explains.
-void smooth(const NeighborTable& neighbors, double sigma, double rho, OrientedPoints& oriented);
+/// \param residual  relative one of estimateNormals().
+void smooth(const NeighborTable& neighbors,
+            const Spacing& spacing,
+            double residual,
+            OrientedPoints& oriented);
 
 }  // namespace posture

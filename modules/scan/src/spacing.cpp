@@ -14,7 +14,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double spacing(const Points& points, const NeighborTable& neighbors) {
+Spacing spacing(const Points& points, const NeighborTable& neighbors) {
   const int n = static_cast<int>(points.rows());
   std::vector<double> sides(n);
   forEach(n, [&](int i) {
@@ -23,7 +23,14 @@ double spacing(const Points& points, const NeighborTable& neighbors) {
     const double radius = (points.row(neighbors(i, count - 1)) - points.row(i)).norm();
     sides[i] = radius * std::sqrt(M_PI / count);
   });
-  return median(std::move(sides));
+  Spacing result{std::vector<double>(n), median(sides)};
+  forEach(n, [&](int i) {
+    std::vector<double> around{sides[i]};
+    for (int k = 0; k < std::min(16, neighborCount(neighbors, i)); ++k)
+      around.push_back(sides[neighbors(i, k)]);
+    result.at[i] = median(std::move(around));
+  });
+  return result;
 }
 
 }  // namespace posture

@@ -49,19 +49,19 @@ class Stars {
   Stars(const OrientedPoints& oriented,
         const NeighborSearch& search,
         const NeighborTable& neighbors,
-        double spacing,
+        const Spacing& spacing,
         ContactGate gate)
       : points_(oriented.points),
         normals_(oriented.normals),
         search_(search),
         neighbors_(neighbors),
-        spacing_(spacing),
-        gate_length_(gate == ContactGate::LONG_EDGES ? 1.5 * spacing : 0) {
+        spacing_(spacing.at),
+        gate_(gate == ContactGate::LONG_EDGES ? 1.5 : 0) {
     // Points of a depth image may lie on a lattice, whose Delaunay triangulation is not unique;
     // moved this little, all stars decide alike.
     Rng rng(2);
     for (int i = 0; i < points_.size(); ++i)
-      points_.data()[i] += 1e-4 * spacing * (rng.uniform() - 0.5);
+      points_.data()[i] += 1e-4 * spacing.at[i / 3] * (rng.uniform() - 0.5);
   }
 
   /// Triangles of the Delaunay star of point i in its tangent plane.
@@ -81,7 +81,7 @@ class Stars {
   }
 
  private:
-  /// Longest edge at point i: three times the spacing there, as the eighth neighbour on the same
+  /// Longest edge at point i: four times the spacing there, as the eighth neighbour on the same
   /// sheet tells it.
   double reachOf(int i) const {
     int same = 0;
@@ -92,8 +92,8 @@ class Stars {
       ++same;
       radius = (points_.row(j) - points_.row(i)).norm();
     }
-    const double side = same < 8 ? 2.5 * spacing_ : radius * std::sqrt(M_PI / 8);
-    return 3 * std::clamp(side, spacing_, 2.5 * spacing_);
+    const double side = same < 8 ? 2.5 * spacing_[i] : radius * std::sqrt(M_PI / 8);
+    return 4 * std::clamp(side, spacing_[i], 2.5 * spacing_[i]);
   }
 
   std::vector<FlatNeighbor> flatten(int i, double reach) const {
@@ -105,7 +105,9 @@ class Stars {
       const double length = offset.norm(), height = offset.dot(normal);
       if (j == i || length > reach || length == 0 || std::abs(height) > 0.8 * length) return;
       if (!sameSheet(normal, normals_.row(j))) return;
-      if (length > gate_length_ && (normal - normals_.row(j)).dot(offset) > 0.3 * length) return;
+      if (length > gate_ * std::max(spacing_[i], spacing_[j]) &&
+          (normal - normals_.row(j)).dot(offset) > 0.3 * length)
+        return;
       // Laid flat with its length kept; inverted, its length is the inverse.
       const Eigen::Vector2d q(offset.dot(u), offset.dot(v));
       flat.push_back({j, q / (q.norm() * length)});
@@ -124,8 +126,8 @@ class Stars {
   const Points& normals_;
   const NeighborSearch& search_;
   const NeighborTable& neighbors_;
-  double spacing_;
-  double gate_length_;
+  const std::vector<double>& spacing_;
+  double gate_;  ///< in spacings
 };
 
 }  // namespace
@@ -133,7 +135,7 @@ class Stars {
 std::vector<Candidate> tangentDelaunay(const OrientedPoints& oriented,
                                        const NeighborSearch& search,
                                        const NeighborTable& neighbors,
-                                       double spacing,
+                                       const Spacing& spacing,
                                        ContactGate gate) {
   const int n = static_cast<int>(oriented.points.rows());
   const Stars stars(oriented, search, neighbors, spacing, gate);

@@ -23,11 +23,10 @@ struct Candidate {
 
 /// Triangles that at least two of their three corners see as Delaunay in their tangent planes
 /// (Gopi, Krishnan and Silva 2000; Adamy, Giesen and John 2002), by corners.
-/// \param spacing  of these points.
 std::vector<Candidate> tangentDelaunay(const OrientedPoints& oriented,
                                        const NeighborSearch& search,
                                        const NeighborTable& neighbors,
-                                       double spacing,
+                                       const Spacing& spacing,
                                        ContactGate gate);
 
 }  // namespace posture

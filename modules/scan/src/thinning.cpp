@@ -10,7 +10,9 @@
 
 namespace posture {
 
-OrientedPoints thin(const OrientedPoints& oriented, const NeighborTable& neighbors, double radius) {
+OrientedPoints thin(const OrientedPoints& oriented,
+                    const NeighborTable& neighbors,
+                    const Spacing& spacing) {
   const int n = static_cast<int>(oriented.points.rows());
   std::vector<int> order(n);
   std::iota(order.begin(), order.end(), 0);
@@ -22,7 +24,7 @@ OrientedPoints thin(const OrientedPoints& oriented, const NeighborTable& neighbo
   for (int i : order) {
     if (covered[i]) continue;
     const auto close = [&](int j) {
-      return (oriented.points.row(j) - oriented.points.row(i)).norm() < radius &&
+      return (oriented.points.row(j) - oriented.points.row(i)).norm() < 0.5 * spacing.at[i] &&
              sameSheet(oriented.normals.row(i), oriented.normals.row(j));
     };
     bool free = true;

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "doubts.h"
+
+#include <posture/mesh/edges.h>
+#include <posture/mesh/normals.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include "blocks.h"
+#include "neighbors.h"
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace posture {
+namespace {
+
+/// Ways along edges, some of them left out.
+class EdgeGraph {
+ public:
+  EdgeGraph(const Points& vertices,
+            const std::vector<Edge>& edges,
+            const std::vector<char>& left_out)
+      : vertices_(vertices),
+        neighbors_(vertices.rows()),
+        distance_(vertices.rows(), std::numeric_limits<double>::infinity()) {
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      if (left_out[e]) continue;
+      neighbors_[edges[e].first].push_back(edges[e].second);
+      neighbors_[edges[e].second].push_back(edges[e].first);
+    }
+  }
+
+  /// Whether a way from one vertex to another is shorter than `bound` (Dijkstra).
+  bool hasWay(int from, int to, double bound) {
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    std::vector<int> reached{from};
+    distance_[from] = 0;
+    front.emplace(0, from);
+    bool found = false;
+    while (!front.empty() && !found) {
+      const auto [distance, v] = front.top();
+      front.pop();
+      found = v == to;
+      if (distance > distance_[v]) continue;
+      for (int w : neighbors_[v]) {
+        const double way = distance + (vertices_.row(v) - vertices_.row(w)).norm();
+        if (way >= bound || way >= distance_[w]) continue;
+        distance_[w] = way;
+        reached.push_back(w);
+        front.emplace(way, w);
+      }
+    }
+    for (int v : reached) distance_[v] = std::numeric_limits<double>::infinity();
+    return found;
+  }
+
+ private:
+  const Points& vertices_;
+  std::vector<std::vector<int>> neighbors_;
+  std::vector<double> distance_;
+};
+
+}  // namespace
+
+int possibleContacts(const TriangleMesh& mesh, double spacing) {
+  const int n = static_cast<int>(mesh.vertices.rows());
+  const Points normals = vertexNormals(mesh);
+  const std::vector<Edge> edges = meshEdges(mesh.faces);
+  std::vector<char> concave(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto [i, j, faces] = edges[e];
+    const Eigen::RowVector3d offset = mesh.vertices.row(j) - mesh.vertices.row(i);
+    concave[e] = (normals.row(i) - normals.row(j)).dot(offset) > 0.3 * offset.norm();
+  }
+  EdgeGraph graph(mesh.vertices, edges, concave);
+  std::vector<int> rank(n), parent(n);
+  boost::disjoint_sets<int*, int*> places(rank.data(), parent.data());
+  for (int v = 0; v < n; ++v) places.make_set(v);
+  std::vector<int> ends;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (!concave[e] || graph.hasWay(edges[e].first, edges[e].second, 20 * spacing)) continue;
+    places.union_set(edges[e].first, edges[e].second);
+    ends.push_back(edges[e].first);
+  }
+  std::set<int> groups;
+  for (int v : ends) groups.insert(places.find_set(v));
+  return static_cast<int>(groups.size());
+}
+
+double thinShare(const TriangleMesh& mesh, double spacing) {
+  const int n = static_cast<int>(mesh.vertices.rows());
+  const Points normals = vertexNormals(mesh);
+  const NeighborSearch search(mesh.vertices);
+  std::vector<char> is_thin(n, 0);
+  forEach(n, [&](int v) {
+    for (int w : search.within(mesh.vertices.row(v), 3 * spacing)) {
+      const Eigen::RowVector3d offset = mesh.vertices.row(w) - mesh.vertices.row(v);
+      if (normals.row(v).dot(normals.row(w)) < -0.5 &&
+          normals.row(v).dot(offset) < -0.7 * offset.norm())
+        is_thin[v] = 1;
+    }
+  });
+  return static_cast<double>(std::count(is_thin.begin(), is_thin.end(), 1)) / n;
+}
+
+}  // namespace posture

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "outliers.h"
+#include "scan_shapes.h"
+#include "support/shapes.h"
+#include <numeric>
+
+namespace posture {
+namespace {
+
+std::vector<char> kept(const Points& points) {
+  const NeighborTable neighbors = NeighborSearch(points).table(16);
+  return withoutOutliers(points, neighbors, spacing(points, neighbors));
+}
+
+TEST(Outliers, GoAndTheSurfaceStays) {
+  Rng rng(4);
+  Points wild(400, 3);
+  for (int i = 0; i < wild.size(); ++i) wild.data()[i] = 3 * rng.uniform() - 1.5;
+  const std::vector<char> keep = kept(test::joined(test::spherePoints(4000, 0.003), wild));
+  EXPECT_GE(std::accumulate(keep.begin(), keep.begin() + 4000, 0), 3998);
+  int far_kept = 0;
+  for (int i = 0; i < 400; ++i)
+    far_kept += keep[4000 + i] && std::abs(wild.row(i).norm() - 1) > 0.3;  // six spacings
+  EXPECT_EQ(far_kept, 0);
+}
+
+TEST(Outliers, SparsePartsOfASurfaceAreNone) {
+  // A quarter of the density: spacings twice as large, then sixteen times fewer points: four times.
+  Points sparse = test::planePoints(600, 0, 0, 2);
+  sparse.col(0).array() += 1;
+  const std::vector<char> keep = kept(test::joined(test::planePoints(15000, 0), sparse));
+  EXPECT_GE(std::accumulate(keep.end() - 600, keep.end(), 0), 570);
+}
+
+TEST(Outliers, SmallGroupsGo) {
+  Points group = 0.03 * test::spherePoints(20, 0);
+  group.col(2).array() += 2;
+  const std::vector<char> keep = kept(test::joined(test::spherePoints(4000, 0), group));
+  EXPECT_EQ(std::accumulate(keep.end() - 20, keep.end(), 0), 0);
+}
+
+}  // namespace
+}  // namespace posture

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "place_on_mesh.h"
+#include "support/shapes.h"
+
+namespace posture {
+namespace {
+
+TEST(MeshLocator, FindsNoFartherPlaceThanADenseSearch) {
+  const TriangleMesh sphere = test::sphere(2);
+  const MeshLocator locator(sphere);
+  const Points queries = test::randomPoints(50, 3);
+  for (int q = 0; q < 50; ++q) {
+    const Eigen::RowVector3d query = queries.row(q);
+    const MeshLocator::Place place = locator.nearest(query);
+    double nearest = 1e9;
+    constexpr int STEPS = 24;
+    for (int f = 0; f < sphere.faces.rows(); ++f)
+      for (int i = 0; i <= STEPS; ++i)
+        for (int j = 0; j + i <= STEPS; ++j) {
+          const Eigen::RowVector3d weights(i, j, STEPS - i - j);
+          const Eigen::RowVector3d at =
+              weights / STEPS * Eigen::Matrix3d(sphere.vertices(sphere.faces.row(f), Eigen::all));
+          nearest = std::min(nearest, (at - query).norm());
+        }
+    EXPECT_LE(place.distance, nearest + 1e-12);
+    EXPECT_GE(place.distance, nearest - 0.01);
+    const auto corners = sphere.faces.row(place.on_mesh.face);
+    const Eigen::RowVector3d at = place.on_mesh.barycentric.transpose() *
+                                  Eigen::Matrix3d(sphere.vertices(corners, Eigen::all));
+    EXPECT_NEAR((at - query).norm(), place.distance, 1e-12);
+    EXPECT_NEAR(place.on_mesh.barycentric.sum(), 1, 1e-12);
+    EXPECT_GE(place.on_mesh.barycentric.minCoeff(), 0);
+    EXPECT_TRUE((corners.array() == place.on_mesh.vertex).any());
+  }
+}
+
+}  // namespace
+}  // namespace posture
