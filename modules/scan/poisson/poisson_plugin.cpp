@@ -2,9 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../src/poisson_plugin.h"
 
-#include <pcl/surface/poisson.h>
+#include <pcl/pcl_base.h>
+#include <pcl/surface/reconstruction.h>
 
 #include "../src/pcl_cloud.h"
+#include <cstdio>
+#include <iostream>
+#include <omp.h>
+#include <unordered_map>
+
+// PCL's octree reports oddities on stdout, which belongs to the caller: it is compiled here
+// instead, in silence.
+#define PCL_NO_PRECOMPILE
+#define printf(...) static_cast<void>(0)
+#include <pcl/surface/poisson.h>
+#undef printf
 
 extern "C" __attribute__((visibility("default"))) void posturePoissonSurface(
     const posture::OrientedPoints& oriented, int depth, posture::TriangleMesh& mesh) {
