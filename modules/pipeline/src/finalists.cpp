@@ -4,8 +4,12 @@
 
 #include <posture/core/parallel.h>
 #include <posture/refine/bend.h>
+#include <posture/refine/lay_over.h>
 
 #include <algorithm>
+#include <iterator>
+#include <memory>
+#include <utility>
 
 namespace posture {
 namespace {
@@ -14,7 +18,7 @@ namespace {
 /// are torn, which are no use either.
 constexpr double LEAST_ORIENTATION = 0.2;
 
-constexpr int MOST_FINALISTS = 8;
+constexpr int MOST_FINALISTS = 8, MOST_LAID = 4;
 
 /// Where the sample maps end.
 constexpr int CANDIDATE_BASIS = 36;
@@ -85,6 +89,22 @@ VertexMaps withPart(const VertexMaps& base, const VertexMaps& donor, const std::
   return mixed;
 }
 
+/// Maps of the coarse meshes on the work meshes, through larger and larger bases.
+BentPair sharpened(const Eigen::MatrixXf& coarse_functions,
+                   const SpectralSurface& source,
+                   const Eigen::MatrixXf& target_coarse_functions,
+                   const SpectralSurface& target,
+                   const VertexMaps& maps) {
+  const VertexMaps start = spreadToVertices(source,
+                                            target,
+                                            coarse_functions,
+                                            target_coarse_functions,
+                                            {maps.forward, maps.backward, 0},
+                                            STARTS.front().back());
+  const VertexMaps sharp = sharpen(source, target, FINE_SIZES, start);
+  return {sharp, imagesOf(target, sharp.forward), imagesOf(source, sharp.backward)};
+}
+
 template <class Scored>
 void sortByScore(std::vector<Scored>& maps) {
   std::stable_sort(maps.begin(), maps.end(), [](const Scored& a, const Scored& b) {
@@ -108,7 +128,6 @@ std::vector<Finalist> registerFinalists(const SpectralSurface& source,
                                       target_samples.functions,
                                       pool[i],
                                       CANDIDATE_BASIS);
-    candidate.distortion = pool[i].distortion;
     candidate.orientation = orientation(source, target, candidate.maps);
   });
   std::vector<Finalist> finalists;
@@ -123,6 +142,38 @@ std::vector<Finalist> registerFinalists(const SpectralSurface& source,
   });
   sortByScore(finalists);
   return finalists;
+}
+
+std::vector<Finalist> layFinalists(const SpectralSurface& source, const SpectralSurface& target) {
+  const std::vector<Similarity> ways = layOver(source, target, MOST_LAID);
+  std::vector<Finalist> laid(ways.size());
+  parallelFor(static_cast<int>(ways.size()), [&](int i) {
+    const Similarity& way = ways[i];
+    Finalist& finalist = laid[i];
+    finalist.scale = way.scale;
+    const SpectralSurface scaled({way.scale * source.mesh.vertices, source.mesh.faces},
+                                 source.functions.cast<double>() / way.scale,
+                                 source.eigenvalues / (way.scale * way.scale));
+    finalist.bent = conform(scaled,
+                            target,
+                            way.of(source.mesh.vertices),
+                            way.scale * way.inverseOf(target.mesh.vertices));
+    finalist.maps = finalist.bent->maps;
+    finalist.orientation = orientation(scaled, target, finalist.maps);
+    finalist.score = scoreMaps(scaled, target, finalist.maps);
+  });
+  laid.erase(std::remove_if(laid.begin(),
+                            laid.end(),
+                            [](const Finalist& f) { return f.orientation <= LEAST_ORIENTATION; }),
+             laid.end());
+  sortByScore(laid);
+  return laid;
+}
+
+std::vector<Finalist> joined(std::vector<Finalist> some, std::vector<Finalist> others) {
+  std::move(others.begin(), others.end(), std::back_inserter(some));
+  sortByScore(some);
+  return some;
 }
 
 void exchangeParts(const SpectralSurface& source,
@@ -180,40 +231,48 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
   return distinct;
 }
 
-std::vector<RefinedMap> refineFinalists(const SpectralSurface& coarse_source,
-                                        const SpectralSurface& coarse_target,
-                                        const SpectralSurface& source,
-                                        const SpectralSurface& target,
+std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
+                                        const RefinedShape& target,
                                         const std::vector<const Finalist*>& finalists) {
-  std::vector<VertexMaps> sharp(finalists.size());
+  const SpectralSurface target_coarse = target.coarseSurface(), target_work = target.workSurface();
+  std::vector<std::unique_ptr<const SpectralSurface>> source_work(finalists.size());
+  std::vector<BentPair> starts(finalists.size());
   parallelFor(static_cast<int>(finalists.size()), [&](int i) {
-    const VertexMaps& coarse = finalists[i]->maps;
-    const VertexMaps start = spreadToVertices(source,
-                                              target,
-                                              coarse_source.functions,
-                                              coarse_target.functions,
-                                              {coarse.forward, coarse.backward, 0},
-                                              STARTS.front().back());
-    sharp[i] = sharpen(source, target, FINE_SIZES, start);
+    const Finalist& finalist = *finalists[i];
+    const RefinedShape scaled = rescaled(source, finalist.scale);
+    source_work[i] = std::make_unique<const SpectralSurface>(scaled.workSurface());
+    starts[i] = finalist.bent ? carryUp(scaled.work.mesh,
+                                        scaled.coarse,
+                                        BendableSurface(scaled.coarse.mesh),
+                                        target.work.mesh,
+                                        target.coarse,
+                                        target_coarse,
+                                        *finalist.bent)
+                              : sharpened(scaled.coarseFunctions(),
+                                          *source_work[i],
+                                          target_coarse.functions,
+                                          target_work,
+                                          finalist.maps);
   });
-  const double softness = settlingSoftness(source, target);
   std::vector<RefinedMap> refined(finalists.size() * STIFFENINGS.size());
   parallelFor(static_cast<int>(refined.size()), [&](int i) {
-    const VertexMaps& start = sharp[i / STIFFENINGS.size()];
-    refined[i].finalist = i / static_cast<int>(STIFFENINGS.size());
-    BentPair& pair = refined[i].pair;
-    pair = {start, imagesOf(target, start.forward), imagesOf(source, start.backward)};
+    RefinedMap& map = refined[i];
+    map.finalist = i / static_cast<int>(STIFFENINGS.size());
+    map.scale = finalists[map.finalist]->scale;
+    map.pair = starts[map.finalist];
+    const SpectralSurface& work = *source_work[map.finalist];
+    const double softness = settlingSoftness(work.eigenvalues, target_work.eigenvalues);
     for (double share : STIFFENINGS[i % STIFFENINGS.size()])
-      settle(source, target, share * softness, ROUNDS, pair);
-    refined[i].score = scoreMaps(source, target, pair.maps);
+      settle(work, target_work, share * softness, ROUNDS, map.pair);
+    map.score = scoreMaps(work, target_work, map.pair.maps);
   });
   sortByScore(refined);
   return refined;
 }
 
-double settlingSoftness(const SpectralSurface& source, const SpectralSurface& target) {
-  const auto k = std::min(source.eigenvalues.size(), target.eigenvalues.size());
-  return 0.5 * (source.eigenvalues[k - 1] + target.eigenvalues[k - 1]);
+double settlingSoftness(const Vector& eigenvalues_a, const Vector& eigenvalues_b) {
+  const auto k = std::min(eigenvalues_a.size(), eigenvalues_b.size());
+  return 0.5 * (eigenvalues_a[k - 1] + eigenvalues_b[k - 1]);
 }
 
 }  // namespace posture

@@ -7,16 +7,19 @@
 #include <posture/refine/settle.h>
 #include <posture/refine/surface.h>
 
+#include "refined_shape.h"
+#include <optional>
 #include <vector>
 
 namespace posture {
 
 /// A candidate that keeps the outside out, registered on the coarse meshes.
 struct Finalist {
-  double distortion = 0;   ///< of the sample map it comes from
-  double orientation = 0;  ///< of that map
+  double orientation = 0;  ///< of the map it began as
   VertexMaps maps;         ///< between the coarse meshes
   MapScore score;
+  double scale = 1;              ///< what the source was multiplied by for it
+  std::optional<BentPair> bent;  ///< the coarse meshes, the source scaled; if laid over each other
 };
 
 /// Those of the sample maps that do not turn the surface inside out, each registered from a low
@@ -26,6 +29,13 @@ std::vector<Finalist> registerFinalists(const SpectralSurface& source,
                                         const SampledShape& source_samples,
                                         const SampledShape& target_samples,
                                         const std::vector<SampleMap>& pool);
+
+/// Finalists of another kind: the coarse surfaces laid over each other as they are, then bent. They
+/// ask for poses that are not too different, but not for whole surfaces. By increasing score.
+std::vector<Finalist> layFinalists(const SpectralSurface& source, const SpectralSurface& target);
+
+/// Puts two lists into one, by increasing score.
+std::vector<Finalist> joined(std::vector<Finalist> some, std::vector<Finalist> others);
 
 /// Where another finalist differs from the best one in a part of the body only - a limb turned the
 /// wrong way round - takes that part from it if the whole then scores better. Does so until
@@ -49,18 +59,18 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
 /// A map between the work meshes with what speaks against it.
 struct RefinedMap {
   int finalist = 0;  ///< index of the one it was made of
+  double scale = 1;  ///< what the source was multiplied by for it
   BentPair pair;
   MapScore score;
 };
 
 /// Takes finalists to the work meshes and makes them as exact as those allow; by increasing score.
-std::vector<RefinedMap> refineFinalists(const SpectralSurface& coarse_source,
-                                        const SpectralSurface& coarse_target,
-                                        const SpectralSurface& source,
-                                        const SpectralSurface& target,
+std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
+                                        const RefinedShape& target,
                                         const std::vector<const Finalist*>& finalists);
 
 /// How soft surfaces are when they settle, on any resolution: as the largest basis is fine.
-double settlingSoftness(const SpectralSurface& source, const SpectralSurface& target);
+/// From the eigenvalues of both shapes.
+double settlingSoftness(const Vector& eigenvalues_a, const Vector& eigenvalues_b);
 
 }  // namespace posture

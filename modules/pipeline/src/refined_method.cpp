@@ -22,12 +22,11 @@ constexpr int POOL = 32, REFINED_FINALISTS = 2, MOST_ALTERNATIVES = 4;
 
 AlternativeSummary summarize(const Finalist& finalist) {
   AlternativeSummary summary;
-  summary.distortion = finalist.distortion;
   summary.orientation = finalist.orientation;
   summary.bending = finalist.score.bending;
   summary.curvature = finalist.score.curvature;
-  summary.orthogonality = finalist.score.orthogonality;
-  summary.commutator = finalist.score.commutator;
+  summary.distortion = finalist.score.distortion;
+  summary.return_miss = finalist.score.return_miss;
   summary.score = finalist.score.total();
   return summary;
 }
@@ -96,23 +95,29 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   // With holes the areas do not tell the scale, but distances under a map do; those under a
   // mirrored one as well.
   const double ratio = distanceRatio(source.samples, target.samples, pool.front());
-  rescale(source, ratio);
+  source = rescaled(std::move(source), ratio);
   source_pose.unit *= ratio;
 
   // Those that keep the outside out, bent onto the target; the least strained first.
   const SpectralSurface source_coarse = source.coarseSurface(),
                         target_coarse = target.coarseSurface();
-  const std::vector<Finalist> finalists = clock.stage("bending", 0.15, [&] {
+  std::vector<Finalist> finalists = clock.stage("bending", 0.15, [&] {
     std::vector<Finalist> registered =
         registerFinalists(source_coarse, target_coarse, source.samples, target.samples, pool);
     exchangeParts(source_coarse, target_coarse, 2 * target.samples.spacing, registered);
     return registered;
   });
+
+  // Spectra and scale go astray where much is missing; surfaces laid over each other do not.
+  if (finalists.empty() || !convinces(finalists.front().score))
+    finalists = clock.stage("laying over", 0.05, [&] {
+      return joined(std::move(finalists), layFinalists(source_coarse, target_coarse));
+    });
   RegistrationResult result;
   result.source = summarize(source_given, source);
   result.target = summarize(target_given, target);
-  result.scale = source_pose.unit / target_pose.unit;
   if (finalists.empty()) {
+    result.scale = source_pose.unit / target_pose.unit;
     giveVerdictWithoutFinalist(source_given, result);
     return result;
   }
@@ -121,9 +126,8 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   clock.show([&] { return finalistPictures(source_coarse, target_coarse, finalists, distinct); });
 
   // The best two, as precise as the work meshes allow; the better one wins.
-  const SpectralSurface source_work = source.workSurface(), target_work = target.workSurface();
   const auto refine = [&](const std::vector<const Finalist*>& chosen) {
-    return refineFinalists(source_coarse, target_coarse, source_work, target_work, chosen).front();
+    return refineFinalists(source, target, chosen).front();
   };
   const RefinedMap best = clock.stage("refinement", 0.25, [&] {
     std::vector<const Finalist*> leading;
@@ -131,12 +135,11 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
       if (leading.size() < REFINED_FINALISTS) leading.push_back(&f);
     return refine(leading);
   });
-  clock.show([&] { return refinedPictures(source_work, target_work, best); });
+  source_pose.unit *= best.scale;
+  result.scale = source_pose.unit / target_pose.unit;
+  clock.show([&] { return refinedPictures(source, target, best); });
 
   // All vertices, to a fraction of an edge.
-  const auto complete = [&](const RefinedMap& map) {
-    return toFullResolution(source, source_work, target, target_work, map.pair);
-  };
   clock.stage("full resolution", 0.1, [&] {
     const VertexMaps& winner = finalists[best.finalist].maps;
     for (int i : distinct) {
@@ -150,12 +153,12 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
     result.chosen = nearestAnswer(result.alternatives);
     result.score = best.score.total();
     result.trust = trustIn(result);
-    const FullMap full = complete(best);
+    const FullMap full = toFullResolution(source, target, best);
     result.correspondence =
         correspondenceOf(source_given, source, target_given, full, result.trust);
     result.deformed =
         target_pose.outOf(placesOfInput(source_given,
-                                        source.full,
+                                        rescaled(source, best.scale).full,
                                         std::vector<char>(full.places.size(), 1),
                                         full.pair.bent_a,
                                         source_pose.into(source_given.input.vertices)));
@@ -168,11 +171,12 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
         if (static_cast<int>(k) == result.chosen) continue;
         AlternativeSummary& other = result.alternatives[k];
         const double likelihood = std::exp(std::min(0.0, -marginBefore(result, other)));
-        other.correspondence = correspondenceOf(source_given,
-                                                source,
-                                                target_given,
-                                                complete(refine({&finalists[distinct[k]]})),
-                                                result.trust * likelihood);
+        other.correspondence =
+            correspondenceOf(source_given,
+                             source,
+                             target_given,
+                             toFullResolution(source, target, refine({&finalists[distinct[k]]})),
+                             result.trust * likelihood);
       }
       return 0;
     });

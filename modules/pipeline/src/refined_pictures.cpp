@@ -47,9 +47,11 @@ std::vector<StagePicture> finalistPictures(const SpectralSurface& source,
   return pictures;
 }
 
-std::vector<StagePicture> refinedPictures(const SpectralSurface& source,
-                                          const SpectralSurface& target,
+std::vector<StagePicture> refinedPictures(const RefinedShape& given_source,
+                                          const RefinedShape& given_target,
                                           const RefinedMap& map) {
+  const SpectralSurface source = rescaled(given_source, map.scale).workSurface(),
+                        target = given_target.workSurface();
   return {
       {"refined-source", source.mesh, source.mesh.vertices, {}},
       {"refined-target", target.mesh, placesOf(source, map.pair.maps.backward), {}},

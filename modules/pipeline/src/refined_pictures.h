@@ -18,8 +18,8 @@ std::vector<StagePicture> finalistPictures(const SpectralSurface& source,
                                            const std::vector<int>& distinct);
 
 /// The work meshes bent onto each other.
-std::vector<StagePicture> refinedPictures(const SpectralSurface& source,
-                                          const SpectralSurface& target,
+std::vector<StagePicture> refinedPictures(const RefinedShape& source,
+                                          const RefinedShape& target,
                                           const RefinedMap& map);
 
 }  // namespace posture

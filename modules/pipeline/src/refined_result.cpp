@@ -3,6 +3,7 @@
 #include "refined_result.h"
 
 #include <posture/mesh/edges.h>
+#include <posture/mesh/normals.h>
 
 #include <algorithm>
 #include <array>
@@ -13,16 +14,19 @@ namespace {
 
 constexpr int FULL_ROUNDS = 5;
 
-/// A vertex whose match is the rim of a hole, more than an edge from where the vertex lies.
+/// Vertices that come to lie where the target has no surface: the match is the rim of a hole, more
+/// than an edge away, or the nearest surface looks the other way.
 std::vector<char> overHoles(const BendableSurface& source,
                             const BendableSurface& target,
                             const BentPair& pair) {
   const double edge = meanEdgeLength(target.mesh);
+  const Points normals = vertexNormals({pair.bent_a, source.mesh.faces});
   std::vector<char> over(pair.maps.forward.size(), 0);
-  for (std::size_t v = 0; v < over.size(); ++v) {
+  for (int v = 0; v < static_cast<int>(over.size()); ++v) {
     const int t = pair.maps.forward[v];
-    over[v] = target.on_boundary[t] && !source.on_boundary[v] &&
-              (pair.bent_a.row(v) - target.mesh.vertices.row(t)).norm() > edge;
+    const bool beyond_rim = target.on_boundary[t] && !source.on_boundary[v] &&
+                            (pair.bent_a.row(v) - target.mesh.vertices.row(t)).norm() > edge;
+    over[v] = beyond_rim || normals.row(v).dot(target.normals.row(t)) < 0;
   }
   return over;
 }
@@ -86,16 +90,20 @@ Vector roundTripConfidence(const TriangleMesh& source, const VertexMaps& maps) {
 
 }  // namespace
 
-FullMap toFullResolution(const RefinedShape& source,
-                         const SpectralSurface& source_work,
+FullMap toFullResolution(const RefinedShape& given_source,
                          const RefinedShape& target,
-                         const SpectralSurface& target_work,
-                         const BentPair& pair) {
+                         const RefinedMap& refined) {
+  const RefinedShape source = rescaled(given_source, refined.scale);
   const BendableSurface a(source.full), b(target.full);
-  const double softness = settlingSoftness(source_work, target_work);
+  const double softness = settlingSoftness(source.basis.eigenvalues, target.basis.eigenvalues);
   FullMap map;
-  map.pair =
-      carryUp(source.full, source.work, source_work, target.full, target.work, target_work, pair);
+  map.pair = carryUp(source.full,
+                     source.work,
+                     BendableSurface(source.work.mesh),
+                     target.full,
+                     target.work,
+                     BendableSurface(target.work.mesh),
+                     refined.pair);
   settle(a, b, softness, FULL_ROUNDS, map.pair);
   map.places = placesOnFaces(a, b, softness, map.pair);
   map.without_partner = overHoles(a, b, map.pair);

@@ -17,10 +17,8 @@ struct FullMap {
 
 /// Takes a map from the work meshes to all vertices of both shapes.
 FullMap toFullResolution(const RefinedShape& source,
-                         const SpectralSurface& source_work,
                          const RefinedShape& target,
-                         const SpectralSurface& target_work,
-                         const BentPair& pair);
+                         const RefinedMap& map);
 
 /// A full map in terms of the vertices and faces as they were given.
 /// \param trust  in the whole map: each point is trusted so much at most.

@@ -39,6 +39,10 @@ SpectralSurface RefinedShape::coarseSurface() const {
   return {coarse.mesh, rowsAt(basis.functions, coarse.vertex), basis.eigenvalues};
 }
 
+Eigen::MatrixXf RefinedShape::coarseFunctions() const {
+  return rowsAt(basis.functions, coarse.vertex).cast<float>();
+}
+
 RefinedShape reduceSide(const std::string& side, const TriangleMesh& full) {
   const auto n = full.vertices.rows();
   if (n < LEAST_VERTICES)
@@ -69,7 +73,8 @@ void addSamples(RefinedShape& shape) {
                    landmarks.covering_radius};
 }
 
-void rescale(RefinedShape& shape, double scale) {
+RefinedShape rescaled(RefinedShape shape, double scale) {
+  if (scale == 1) return shape;
   shape.full.vertices *= scale;
   shape.work.mesh.vertices *= scale;
   shape.coarse.mesh.vertices *= scale;
@@ -79,6 +84,7 @@ void rescale(RefinedShape& shape, double scale) {
   shape.samples.distances *= scale;
   shape.samples.form *= scale;
   shape.samples.spacing *= scale;
+  return shape;
 }
 
 double distanceRatio(const SampledShape& a, const SampledShape& b, const SampleMap& map) {

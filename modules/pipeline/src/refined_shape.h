@@ -23,6 +23,7 @@ struct RefinedShape {
 
   SpectralSurface workSurface() const;
   SpectralSurface coarseSurface() const;
+  Eigen::MatrixXf coarseFunctions() const;
 };
 
 /// Reduces the mesh. \throws InputError  too few vertices to tell a shape; names the side.
@@ -31,8 +32,8 @@ RefinedShape reduceSide(const std::string& side, const TriangleMesh& full);
 void addSpectrum(RefinedShape& shape);
 void addSamples(RefinedShape& shape);
 
-/// Multiplies every length.
-void rescale(RefinedShape& shape, double scale);
+/// The shape with every length multiplied.
+RefinedShape rescaled(RefinedShape shape, double scale);
 
 /// The ratio of distances on b to those on a, the median over pairs of samples whose paths meet no
 /// hole. \param map  any map that keeps distances, mirrored or not.

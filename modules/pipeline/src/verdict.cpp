@@ -15,10 +15,13 @@ constexpr double LEAST_CONSISTENCY = 0.855;
 
 /// The score of a map where same and different bodies are equally likely, and how fast that turns:
 /// docs/decisions.md has the measurements.
-constexpr double EVEN_SCORE = -7.5, SCORE_WIDTH = 0.7;
+constexpr double EVEN_SCORE = -8.7, SCORE_WIDTH = 0.3;
 
 /// Below it the answer is called undecided.
 constexpr double LEAST_TRUST = 0.5;
+
+/// A coarse map this good needs no other kind of candidate beside it: docs/decisions.md.
+constexpr double CONVINCING_SCORE = -8.7;
 
 /// How likely it is, by its score alone, that a map is between poses of one body.
 double likenessOf(double score) { return 1 / (1 + std::exp((score - EVEN_SCORE) / SCORE_WIDTH)); }
@@ -58,6 +61,8 @@ std::string mappedMessage(const RegistrationResult& result) {
 double marginBefore(const RegistrationResult& result, const AlternativeSummary& other) {
   return other.score - result.alternatives[result.chosen].score;
 }
+
+bool convinces(const MapScore& score) { return score.total() < CONVINCING_SCORE; }
 
 double trustIn(const RegistrationResult& result) {
   const int rival = rivalOf(result);

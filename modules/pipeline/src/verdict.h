@@ -3,6 +3,7 @@
 #pragma once
 
 #include <posture/pipeline/register_shapes.h>
+#include <posture/refine/map_score.h>
 
 #include "given_shape.h"
 
@@ -19,6 +20,9 @@ double marginBefore(const RegistrationResult& result, const AlternativeSummary& 
 /// How far the score of the map and its margin before the next different one speak for it, in
 /// [0, 1].
 double trustIn(const RegistrationResult& result);
+
+/// Whether a map scores as those between poses of one body do.
+bool convinces(const MapScore& score);
 
 /// Sets status and message from the trust.
 void giveVerdict(RegistrationResult& result);

@@ -12,19 +12,30 @@
 namespace posture {
 namespace {
 
-using Block = Eigen::MatrixXf;
+/// Sizes of basis: bending wants the body's large forms, curvature its details too.
+constexpr int BENDING_BASIS = 60, DETAIL_BASIS = 100;
 
-/// Sizes of basis: bending wants the body's large forms, areas its details too, and eigenvalues
-/// agree between like shapes for the lower ones alone.
-constexpr int BENDING_BASIS = 60, DETAIL_BASIS = 100, COMMUTATOR_BASIS = 50;
+/// A change of distance counts up to here, so that a path that a hole blocks does not outweigh
+/// those that agree.
+constexpr double LARGEST_CHANGE = 0.5;
+
+/// In square roots of the area, the size of a hand: what misses by more has gone elsewhere.
+constexpr double RETURN_LENGTH = 0.05;
+
+/// A few per cent of the matches miss for no more reason than the size of the triangles.
+constexpr double USUAL_MISS = 0.02;
+
+/// A map onto the rims alone says nothing.
+constexpr double LEAST_COVERED = 0.01;
 
 double bendingEnergy(const SpectralSurface& from,
                      const SpectralSurface& to,
                      const std::vector<int>& matches,
+                     const Vector& believed,
                      int k,
                      double softness) {
   const Points goals = rowsAt(to.mesh.vertices, matches);
-  const Arap::Attraction attraction = from.arap.attract(softness, belief(from, to, matches));
+  const Arap::Attraction attraction = from.arap.attract(softness, believed);
   return from.arap.pull(lowPass(from, goals, k), goals, attraction, 2 * BENDING_STEPS).energy;
 }
 
@@ -36,21 +47,50 @@ Vector meanCurvature(const SpectralSurface& s, int k) {
 }
 
 double correlation(const Vector& x, const Vector& y, const Vector& mass) {
+  if (!(mass.sum() > 0)) return 0;
   const Vector w = mass / mass.sum();
   const Vector dx = x.array() - w.dot(x), dy = y.array() - w.dot(y);
   const double spread = std::sqrt(w.dot(dx.cwiseAbs2()) * w.dot(dy.cwiseAbs2()));
   return spread > 0 ? w.dot(dx.cwiseProduct(dy)) / spread : 1;
 }
 
-double commutator(const Block& c, const Eigen::VectorXf& before, const Eigen::VectorXf& after) {
-  const Block left = before.asDiagonal() * c, right = c * after.asDiagonal();
-  return (left - right).squaredNorm() / left.squaredNorm();
+/// Distances between evenly spread places and between their images.
+double distanceChange(const SpectralSurface& from,
+                      const SpectralSurface& to,
+                      const std::vector<int>& matches,
+                      const Vector& believed) {
+  std::vector<int> places, images;
+  for (int v = 0; v < from.distances.rows(); ++v)
+    if (believed[v] > 0) {
+      places.push_back(v);
+      images.push_back(matches[v]);
+    }
+  double change = 0;
+  std::size_t pairs = 0;
+  GeodesicField there;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    to.marching.marchUntil(images[i], images, there);
+    for (std::size_t j = 0; j < i; ++j) {
+      const double x = from.distances(places[i], places[j]), y = there.distance[images[j]];
+      if (!std::isfinite(x) || !std::isfinite(y)) continue;
+      change += std::min(LARGEST_CHANGE, 2 * std::abs(x - y) / (x + y));
+      ++pairs;
+    }
+  }
+  return pairs > 0 ? change / static_cast<double>(pairs) : LARGEST_CHANGE;
 }
 
-/// Zero for the functional map of an area-preserving map, whichever way it turns the functions.
-double orthogonalityDefect(const Block& c) {
-  const Block product = c.transpose() * c;
-  return (product - Block::Identity(c.rows(), c.cols())).squaredNorm() / c.rows();
+double returnMiss(const SpectralSurface& from,
+                  const std::vector<int>& there,
+                  const std::vector<int>& back,
+                  const Vector& believed) {
+  double missed = 0;
+  for (Eigen::Index v = 0; v < believed.size(); ++v) {
+    const double miss =
+        (from.mesh.vertices.row(v) - from.mesh.vertices.row(back[there[v]])).norm() / RETURN_LENGTH;
+    missed += believed[v] * miss * miss / (1 + miss * miss);
+  }
+  return believed.sum() > 0 ? missed / believed.sum() : 1;
 }
 
 double oneWayOrientation(const SpectralSurface& a,
@@ -79,34 +119,34 @@ double oneWayOrientation(const SpectralSurface& a,
 double MapScore::total() const {
   // A perfect map must not win by a lucky zero in one term.
   constexpr double LEAST = 1e-4;
-  double sum = 0;
-  for (double term : {bending, curvature, orthogonality, commutator})
-    sum += std::log(std::max(LEAST, term));
+  double sum = std::log(USUAL_MISS + return_miss);
+  for (double term : {bending, curvature, distortion}) sum += std::log(std::max(LEAST, term));
   return sum;
 }
 
 MapScore scoreMaps(const SpectralSurface& a, const SpectralSurface& b, const VertexMaps& maps) {
+  const Vector believed_a = belief(a, b, maps.forward), believed_b = belief(b, a, maps.backward);
+  const Vector mass_a = a.laplacian.mass.cwiseProduct(believed_a),
+               mass_b = b.laplacian.mass.cwiseProduct(believed_b);
   MapScore score;
   const int k = basisSize(a, b, BENDING_BASIS);
   const double softness = eigenvalueAt(a, b, k);
-  score.bending = 0.5 * (bendingEnergy(a, b, maps.forward, k, softness) +
-                         bendingEnergy(b, a, maps.backward, k, softness));
+  const double covered =
+      std::min(mass_a.sum() / a.laplacian.mass.sum(), mass_b.sum() / b.laplacian.mass.sum());
+  score.bending = 0.5 *
+                  (bendingEnergy(a, b, maps.forward, believed_a, k, softness) +
+                   bendingEnergy(b, a, maps.backward, believed_b, k, softness)) /
+                  std::max(covered, LEAST_COVERED);
 
   const int detail = basisSize(a, b, DETAIL_BASIS);
   const Vector curvature_a = meanCurvature(a, detail), curvature_b = meanCurvature(b, detail);
   score.curvature =
-      1 - 0.5 * (correlation(curvature_a, rowsAt(curvature_b, maps.forward), a.laplacian.mass) +
-                 correlation(curvature_b, rowsAt(curvature_a, maps.backward), b.laplacian.mass));
-
-  const FunctionalMaps c = fitFunctionalMaps(a, b, detail, maps);
-  score.orthogonality = 0.5 * (orthogonalityDefect(c.ab) + orthogonalityDefect(c.ba));
-
-  const int low = basisSize(a, b, COMMUTATOR_BASIS);
-  const FunctionalMaps d = fitFunctionalMaps(a, b, low, maps);
-  const Eigen::VectorXf values_a = a.eigenvalues.head(low).cast<float>(),
-                        values_b = b.eigenvalues.head(low).cast<float>();
-  score.commutator =
-      0.5 * (commutator(d.ab, values_a, values_b) + commutator(d.ba, values_b, values_a));
+      1 - 0.5 * (correlation(curvature_a, rowsAt(curvature_b, maps.forward), mass_a) +
+                 correlation(curvature_b, rowsAt(curvature_a, maps.backward), mass_b));
+  score.distortion = 0.5 * (distanceChange(a, b, maps.forward, believed_a) +
+                            distanceChange(b, a, maps.backward, believed_b));
+  score.return_miss = 0.5 * (returnMiss(a, maps.forward, maps.backward, believed_a) +
+                             returnMiss(b, maps.backward, maps.forward, believed_b));
   return score;
 }
 

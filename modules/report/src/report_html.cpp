@@ -114,9 +114,8 @@ std::string alternatives(const RegistrationResult& result) {
                                      "score",
                                      "bending",
                                      "curvature",
-                                     "orthogonality",
-                                     "commutator",
                                      "distortion",
+                                     "return miss",
                                      "orientation"},
                                     "th"));
   for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
@@ -125,9 +124,8 @@ std::string alternatives(const RegistrationResult& result) {
                                    formatFixed(a.score, 2),
                                    formatShort(a.bending),
                                    formatShort(a.curvature),
-                                   formatShort(a.orthogonality),
-                                   formatShort(a.commutator),
                                    formatShort(a.distortion),
+                                   formatShort(a.return_miss),
                                    formatFixed(a.orientation, 2)});
     const bool chosen = static_cast<int>(k) == result.chosen;
     content += element(chosen ? "tr class=\"chosen\"" : "tr", cells);

@@ -63,9 +63,8 @@ Json describe(const AlternativeSummary& alternative, bool chosen) {
           {"score", number(alternative.score)},
           {"bending", number(alternative.bending)},
           {"curvature_disagreement", number(alternative.curvature)},
-          {"orthogonality_defect", number(alternative.orthogonality)},
-          {"commutator", number(alternative.commutator)},
-          {"sample_distortion", number(alternative.distortion)},
+          {"distance_distortion", number(alternative.distortion)},
+          {"return_miss", number(alternative.return_miss)},
           {"orientation_vote", number(alternative.orientation)}};
 }
 

@@ -52,12 +52,11 @@ struct HypothesisSummary {
 /// REFINED: one of the different answers that were compared. The terms of the score are those of
 /// MapScore, on coarse meshes; lower is better.
 struct AlternativeSummary {
-  double distortion = 0;   ///< mean change of distances between samples, relative
   double orientation = 0;  ///< of the candidate it began as, in [-1, 1]; 1: the outside stays out
   double bending = 0;
   double curvature = 0;
-  double orthogonality = 0;
-  double commutator = 0;
+  double distortion = 0;
+  double return_miss = 0;
   double score = 0;
   double gap = 0;                  ///< mean distance from the chosen answer, over sqrt(area)
   std::vector<int> target_vertex;  ///< per source vertex as given, to the spacing of the coarse

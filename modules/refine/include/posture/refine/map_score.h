@@ -6,17 +6,20 @@
 
 namespace posture {
 
-/// What speaks against a map, each term the mean of both directions and without unit.
+/// What speaks against a map, each term the mean of both directions and without unit. Only places
+/// count whose match is believed: one at the rim of a hole may stand for any place inside it.
 struct MapScore {
-  double bending = 0;        ///< ARAP energy of each surface bent onto its image
-  double curvature = 0;      ///< 1 - correlation of the mean curvatures
-  double orthogonality = 0;  ///< |C'C - I|^2 / k: areas that the functional map C does not keep
-  double commutator = 0;     ///< |Lambda_A C - C Lambda_B|^2 / |Lambda_A C|^2: isometry
+  /// ARAP energy of each surface bent onto its image, by the share of the surface that has one.
+  double bending = 0;
+  double curvature = 0;    ///< 1 - correlation of the mean curvatures
+  double distortion = 0;   ///< mean relative change of geodesic distances, each at most 1/2
+  double return_miss = 0;  ///< how many matches, there and back, do not end where they began
 
   /// Sum of the logarithms: each term counts by its ratio, so none needs a weight. Lower is better.
   double total() const;
 };
 
+/// \pre  any prefix of each surface's vertices is spread evenly (as reduceMesh() orders them).
 MapScore scoreMaps(const SpectralSurface& a, const SpectralSurface& b, const VertexMaps& maps);
 
 /// Whether a map keeps the outside out: over the mapped faces of both surfaces, the mean sign of

@@ -4,6 +4,7 @@
 
 #include <posture/core/types.h>
 #include <posture/deformation/arap.h>
+#include <posture/geodesic/fast_marching.h>
 #include <posture/mesh/vertex_neighbors.h>
 #include <posture/spectral/spectral_basis.h>
 
@@ -24,6 +25,9 @@ struct BendableSurface {
   Arap arap;
 };
 
+/// Places between which distances are compared: all pairs of so many.
+constexpr int DISTANCE_SAMPLES = 100;
+
 /// A surface with its smoothest functions.
 struct SpectralSurface : BendableSurface {
   /// \param functions  n x k, computed on this mesh or on a finer one with all its vertices.
@@ -32,6 +36,8 @@ struct SpectralSurface : BendableSurface {
   Eigen::MatrixXf functions;  ///< n x k. Single precision: maps are no more exact than an edge
   Vector eigenvalues;         ///< k
   Eigen::MatrixXf gram;       ///< k x k, inner products of the functions on this mesh
+  FastMarching marching;
+  Matrix distances;  ///< s x s, geodesic between the first vertices, at most DISTANCE_SAMPLES
 };
 
 /// A map between the vertices of two surfaces, both ways.

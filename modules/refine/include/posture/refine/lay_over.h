@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/refine/settle.h>
+#include <posture/refine/surface.h>
+
+#include <vector>
+
+namespace posture {
+
+/// p -> scale * rotation * p + translation, for points as rows.
+struct Similarity {
+  double scale = 1;
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::RowVector3d translation = Eigen::RowVector3d::Zero();
+
+  Points of(const Points& points) const;
+  Points inverseOf(const Points& points) const;
+};
+
+/// The different ways to lay surface a over surface b without bending it, at most `most`, by
+/// increasing mean distance of places and normals. Iterated closest points (Besl and McKay 1992)
+/// from rotations spread evenly over all, both directions, far pairs and rims counting less. What
+/// is the same in both poses - a trunk, a piece seen from one side - falls into place however much
+/// of the rest is missing.
+std::vector<Similarity> layOver(const BendableSurface& a, const BendableSurface& b, int most);
+
+/// Bends two surfaces onto each other that have been laid over each other: from stiff to soft,
+/// each vertex drawn to what is nearest in both poses, places and normals; what lies far from
+/// everything, as where the other surface is missing, pulls little.
+/// \param laid  a's vertices over b.
+/// \param back  b's vertices over a.
+BentPair conform(const BendableSurface& a,
+                 const BendableSurface& b,
+                 const Points& laid,
+                 const Points& back);
+
+}  // namespace posture

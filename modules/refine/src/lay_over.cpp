@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/parallel.h>
+#include <posture/mesh/normals.h>
+#include <posture/refine/lay_over.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include "belief.h"
+#include "functional_map.h"
+#include "joint_nearest.h"
+#include <algorithm>
+#include <cmath>
+
+namespace posture {
+namespace {
+
+using Block = Eigen::MatrixXf;
+
+/// Lengths are in square roots of the area: a normal turned by 90 degrees counts as much as a
+/// distance of 0.3, half the thickness of a trunk.
+constexpr double NORMAL_LENGTH = 0.2;
+
+/// Reduced meshes have their vertices in farthest-point order: so many are spread evenly too.
+constexpr int PLACES = 400;
+
+constexpr int ROTATIONS = 72, RIGID_STEPS = 15, SCALED_STEPS = 15, FINAL_STEPS = 60;
+
+/// Two ways closer than this in the mean lead to the same place.
+constexpr double SAME_WAY = 0.1;
+
+/// What the rim of a hole is near to says little.
+constexpr double RIM_WEIGHT = 0.1;
+
+/// Features of a third to a twentieth of the square root of the area keep their shape.
+constexpr double SOFTNESS[] = {10, 30, 100, 300};
+constexpr int CONFORMING_STEPS = 4;
+
+struct Patch {
+  Points places;
+  Points normals;
+  std::vector<char> on_boundary;
+};
+
+Patch patchOf(const BendableSurface& surface) {
+  const auto n = std::min<Eigen::Index>(PLACES, surface.mesh.vertices.rows());
+  return {surface.mesh.vertices.topRows(n),
+          surface.normals.topRows(n),
+          {surface.on_boundary.begin(), surface.on_boundary.begin() + n}};
+}
+
+/// Rotations spread evenly (super-Fibonacci spirals, Alexa 2022).
+std::vector<Eigen::Matrix3d> evenRotations(int count) {
+  constexpr double PHI = 1.414213562373095, PSI = 1.533751168755204, TWO_PI = 6.283185307179586;
+  std::vector<Eigen::Matrix3d> rotations;
+  for (int i = 0; i < count; ++i) {
+    const double s = i + 0.5, r = std::sqrt(s / count), rest = std::sqrt(1 - s / count);
+    const double alpha = TWO_PI * s / PHI, beta = TWO_PI * s / PSI;
+    const Eigen::Quaterniond q(
+        r * std::sin(alpha), r * std::cos(alpha), rest * std::sin(beta), rest * std::cos(beta));
+    rotations.push_back(q.normalized().toRotationMatrix());
+  }
+  return rotations;
+}
+
+struct Laying {
+  Similarity way;
+  double cost = 0;  ///< mean distance
+};
+
+struct Pairing {
+  int a, b;
+  double squared;
+};
+
+std::vector<Pairing> nearestPairs(const Patch& a, const Patch& b, const Similarity& way) {
+  const Points places = way.of(a.places), normals = a.normals * way.rotation.transpose();
+  Block fa(a.places.rows(), 6), fb(b.places.rows(), 6);
+  fa << places.cast<float>(), (NORMAL_LENGTH * normals).cast<float>();
+  fb << b.places.cast<float>(), (NORMAL_LENGTH * b.normals).cast<float>();
+  std::vector<int> forward, backward;
+  nearestBothWays(fa, fb, forward, backward);
+  std::vector<Pairing> pairs;
+  const auto add = [&](int i, int j) {
+    pairs.push_back({i, j, static_cast<double>((fa.row(i) - fb.row(j)).squaredNorm())});
+  };
+  for (std::size_t i = 0; i < forward.size(); ++i) add(static_cast<int>(i), forward[i]);
+  for (std::size_t j = 0; j < backward.size(); ++j) add(backward[j], static_cast<int>(j));
+  return pairs;
+}
+
+double medianSquared(const std::vector<Pairing>& pairs) {
+  std::vector<double> squared;
+  for (const Pairing& p : pairs) squared.push_back(p.squared);
+  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
+  std::nth_element(squared.begin(), middle, squared.end());
+  return std::max(*middle, 1e-12);
+}
+
+/// The similarity that best takes the first of each pair to the second (Horn 1987); a scale of
+/// both directions alike, so that matching to what is nearest does not shrink.
+Similarity bestSimilarity(const Patch& a,
+                          const Patch& b,
+                          const std::vector<Pairing>& pairs,
+                          const Vector& weight,
+                          bool scaled,
+                          double scale) {
+  Eigen::RowVector3d mean_a = Eigen::RowVector3d::Zero(), mean_b = mean_a;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    mean_a += weight[i] * a.places.row(pairs[i].a);
+    mean_b += weight[i] * b.places.row(pairs[i].b);
+  }
+  mean_a /= weight.sum();
+  mean_b /= weight.sum();
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+  double spread_a = 0, spread_b = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Eigen::RowVector3d x = a.places.row(pairs[i].a) - mean_a,
+                             y = b.places.row(pairs[i].b) - mean_b;
+    moment += weight[i] * y.transpose() * x;
+    spread_a += weight[i] * x.squaredNorm();
+    spread_b += weight[i] * y.squaredNorm();
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moment, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Vector3d sign(1, 1, 1);
+  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) sign[2] = -1;
+  Similarity way;
+  way.rotation = svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
+  way.scale = scaled && spread_a > 0 && spread_b > 0 ? std::sqrt(spread_b / spread_a) : scale;
+  way.translation = mean_b - way.scale * mean_a * way.rotation.transpose();
+  return way;
+}
+
+void closestPoints(const Patch& a, const Patch& b, int steps, bool scaled, Laying& laying) {
+  for (int step = 0; step < steps; ++step) {
+    const std::vector<Pairing> pairs = nearestPairs(a, b, laying.way);
+    const double usual = medianSquared(pairs);
+    Vector weight(pairs.size());
+    laying.cost = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const double near = 1 / (1 + pairs[i].squared / usual);
+      const bool rim = a.on_boundary[pairs[i].a] || b.on_boundary[pairs[i].b];
+      weight[i] = near * near * (rim ? RIM_WEIGHT : 1);
+      laying.cost += std::sqrt(pairs[i].squared) / static_cast<double>(pairs.size());
+    }
+    laying.way = bestSimilarity(a, b, pairs, weight, scaled, laying.way.scale);
+  }
+}
+
+/// What is nearest in both poses, both ways.
+VertexMaps nearestInBothPoses(const BendableSurface& a,
+                              const BendableSurface& b,
+                              double softness,
+                              const BentPair& pair) {
+  const double weight = 1 / std::sqrt(softness);
+  const Points bent_a = vertexNormals({pair.bent_a, a.mesh.faces}),
+               bent_b = vertexNormals({pair.bent_b, b.mesh.faces});
+  Block fa(a.mesh.vertices.rows(), 12), fb(b.mesh.vertices.rows(), 12);
+  fa << a.mesh.vertices.cast<float>(), pair.bent_a.cast<float>(),
+      (weight * a.normals).cast<float>(), (weight * bent_a).cast<float>();
+  fb << pair.bent_b.cast<float>(), b.mesh.vertices.cast<float>(), (weight * bent_b).cast<float>(),
+      (weight * b.normals).cast<float>();
+  VertexMaps maps;
+  nearestBothWays(fa, fb, maps.forward, maps.backward);
+  return maps;
+}
+
+/// Pulls a surface towards its matches; far ones count less the farther they are beyond twice the
+/// usual distance (Geman and McClure's weights).
+void pullRobustly(const BendableSurface& from,
+                  const BendableSurface& to,
+                  const std::vector<int>& matches,
+                  double softness,
+                  Points& bent) {
+  const Points goals = rowsAt(to.mesh.vertices, matches);
+  const Vector distance = (goals - bent).rowwise().norm();
+  std::vector<double> sorted(distance.data(), distance.data() + distance.size());
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double usual = 2 * std::max(*middle, 1e-3);
+  Vector believed = belief(from, to, matches);
+  for (Eigen::Index v = 0; v < distance.size(); ++v) {
+    const double r = distance[v] / usual, near = 1 / (1 + r * r);
+    believed[v] *= near * near;
+  }
+  bent = from.arap.pull(bent, goals, from.arap.attract(softness, believed), BENDING_STEPS).vertices;
+}
+
+}  // namespace
+
+Points Similarity::of(const Points& points) const {
+  return (scale * points * rotation.transpose()).rowwise() + translation;
+}
+
+Points Similarity::inverseOf(const Points& points) const {
+  return ((points.rowwise() - translation) * rotation) / scale;
+}
+
+std::vector<Similarity> layOver(const BendableSurface& a, const BendableSurface& b, int most) {
+  const Patch patch_a = patchOf(a), patch_b = patchOf(b);
+  const std::vector<Eigen::Matrix3d> starts = evenRotations(ROTATIONS);
+  std::vector<Laying> layings(starts.size());
+  parallelFor(static_cast<int>(starts.size()), [&](int i) {
+    layings[i].way.rotation = starts[i];
+    closestPoints(patch_a, patch_b, RIGID_STEPS, false, layings[i]);
+    closestPoints(patch_a, patch_b, SCALED_STEPS, true, layings[i]);
+  });
+  std::stable_sort(layings.begin(), layings.end(), [](const Laying& x, const Laying& y) {
+    return x.cost < y.cost;
+  });
+  std::vector<Laying> kept;
+  for (const Laying& laying : layings) {
+    if (static_cast<int>(kept.size()) >= most) break;
+    const Points places = laying.way.of(patch_a.places);
+    if (std::none_of(kept.begin(), kept.end(), [&](const Laying& known) {
+          return (places - known.way.of(patch_a.places)).rowwise().norm().mean() < SAME_WAY;
+        }))
+      kept.push_back(laying);
+  }
+  parallelFor(static_cast<int>(kept.size()),
+              [&](int i) { closestPoints(patch_a, patch_b, FINAL_STEPS, true, kept[i]); });
+  std::vector<Similarity> ways;
+  for (const Laying& laying : kept) ways.push_back(laying.way);
+  return ways;
+}
+
+BentPair conform(const BendableSurface& a,
+                 const BendableSurface& b,
+                 const Points& laid,
+                 const Points& back) {
+  BentPair pair{{}, laid, back};
+  for (const double softness : SOFTNESS) {
+    for (int step = 0; step < CONFORMING_STEPS; ++step) {
+      pair.maps = nearestInBothPoses(a, b, softness, pair);
+      pullRobustly(a, b, pair.maps.forward, softness, pair.bent_a);
+      pullRobustly(b, a, pair.maps.backward, softness, pair.bent_b);
+    }
+    pair.maps = nearestInBothPoses(a, b, softness, pair);
+  }
+  return pair;
+}
+
+}  // namespace posture
