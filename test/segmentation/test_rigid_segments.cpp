@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/edges.h>
+#include <posture/segmentation/rigid_segments.h>
+#include <posture/synthesis/articulated_body.h>
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <queue>
+
+namespace posture {
+namespace {
+
+constexpr double DEGREE = M_PI / 180;
+
+Eigen::Isometry3d motion(double angle) {
+  return Eigen::Translation3d(1, -2, 3) *
+         Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, -1).normalized());
+}
+
+Points moved(const Points& points, const Eigen::Isometry3d& by) {
+  return (by * points.transpose()).transpose();
+}
+
+double angle(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  return Eigen::AngleAxisd(a.linear() * b.linear().transpose()).angle();
+}
+
+/// A strip along x, folded by `turn` at x = 1 (of 3), without stretching.
+Points folded(const TriangleMesh& strip, double turn) {
+  Points places = strip.vertices;
+  for (int v = 0; v < places.rows(); ++v) {
+    const double beyond = places(v, 0) - 1;
+    if (beyond <= 0) continue;
+    places(v, 0) = 1 + std::cos(turn) * beyond;
+    places(v, 2) = std::sin(turn) * beyond;
+  }
+  return places;
+}
+
+/// Hubert and Arabie 1985.
+double adjustedRandIndex(const std::vector<int>& a, const std::vector<int>& b) {
+  std::map<std::pair<int, int>, double> both;
+  std::map<int, double> of_a, of_b;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ++both[{a[i], b[i]}];
+    ++of_a[a[i]];
+    ++of_b[b[i]];
+  }
+  const auto pairs = [](const auto& counts) {
+    double sum = 0;
+    for (const auto& entry : counts) sum += entry.second * (entry.second - 1) / 2;
+    return sum;
+  };
+  const auto n = static_cast<double>(a.size());
+  const double expected = pairs(of_a) * pairs(of_b) / (n * (n - 1) / 2);
+  return (pairs(both) - expected) / (0.5 * (pairs(of_a) + pairs(of_b)) - expected);
+}
+
+bool facesAreConnected(const TriangleMesh& mesh, const RigidSegments& segments) {
+  const Faces across = facesAcross(mesh.faces);
+  std::vector<char> seen(mesh.faces.rows(), 0), part_seen(segments.count, 0);
+  for (int start = 0; start < mesh.faces.rows(); ++start) {
+    if (seen[start]) continue;
+    const int part = segments.face_label[start];
+    if (part_seen[part]) return false;
+    part_seen[part] = 1;
+    std::queue<int> open;
+    open.push(start);
+    seen[start] = 1;
+    while (!open.empty()) {
+      const int f = open.front();
+      open.pop();
+      for (int k = 0; k < 3; ++k) {
+        const int g = across(f, k);
+        if (g < 0 || seen[g] || segments.face_label[g] != part) continue;
+        seen[g] = 1;
+        open.push(g);
+      }
+    }
+  }
+  return true;
+}
+
+/// A body at rest and in other poses, with the motion of each bone.
+struct Poses {
+  explicit Poses(BodyKind kind, const std::vector<int>& which) {
+    BodyOptions options;
+    options.kind = kind;
+    options.vertices = 1500;
+    rest = makeBody(options);
+    for (int pose : which) {
+      options.pose = pose;
+      bodies.push_back(makeBody(options));
+      places.push_back(bodies.back().mesh.vertices);
+    }
+  }
+
+  Eigen::Isometry3d boneMotion(int pose, int bone) const {
+    return bodies[pose].bone_motion[bone] * rest.bone_motion[bone].inverse();
+  }
+
+  /// Bones that touch and turn against each other by less than `least` (root mean square over the
+  /// poses) are one.
+  std::vector<int> bonesThatMove(double least) const {
+    std::vector<int> joined(rest.bone_names.size());
+    std::iota(joined.begin(), joined.end(), 0);
+    for (const Edge& e : meshEdges(rest.mesh.faces)) {
+      const int a = rest.bone[e.first], b = rest.bone[e.second];
+      double sum = 0;
+      for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const double turn =
+            angle(boneMotion(static_cast<int>(k), a), boneMotion(static_cast<int>(k), b));
+        sum += turn * turn / static_cast<double>(bodies.size());
+      }
+      if (std::sqrt(sum) >= least || joined[a] == joined[b]) continue;
+      const int gone = joined[b], kept = joined[a];
+      for (int& bone : joined)
+        if (bone == gone) bone = kept;
+    }
+    return joined;
+  }
+
+  ArticulatedBody rest;
+  std::vector<ArticulatedBody> bodies;
+  std::vector<Points> places;
+};
+
+/// Over the vertices that one bone alone moves.
+double agreement(const Poses& poses, const RigidSegments& segments) {
+  const std::vector<int> joined = poses.bonesThatMove(segments.least_turn);
+  std::vector<int> bones, parts;
+  for (std::size_t v = 0; v < segments.label.size(); ++v) {
+    if (poses.rest.bone_weight[static_cast<int>(v)] < 0.99) continue;
+    bones.push_back(joined[poses.rest.bone[v]]);
+    parts.push_back(segments.label[v]);
+  }
+  return adjustedRandIndex(bones, parts);
+}
+
+TEST(RigidSegments, aFoldHasTwoSides) {
+  const TriangleMesh strip = test::grid(60, 12, 3, 0.6);
+  for (double turn : {20 * DEGREE, 90 * DEGREE}) {
+    const RigidSegments segments = segmentRigidParts(strip, {folded(strip, turn)});
+    ASSERT_EQ(segments.count, 2);
+    for (int v = 0; v < strip.vertices.rows(); ++v) {
+      const double x = strip.vertices(v, 0);
+      if (std::abs(x - 1) < 0.06) continue;
+      EXPECT_EQ(segments.label[v], x > 1 ? 0 : 1) << x;  // the larger part comes first
+    }
+    EXPECT_LT(angle(segments.motion[0][1], Eigen::Isometry3d::Identity()), 1e-6);
+    EXPECT_NEAR(angle(segments.motion[0][0], segments.motion[0][1]), turn, 1e-6);
+    EXPECT_NEAR(segments.scale[0], 1, 1e-9);
+  }
+}
+
+TEST(RigidSegments, whatDoesNotBendIsOnePart) {
+  const TriangleMesh mesh = test::sphere(4);
+  const Eigen::Isometry3d by = motion(1);
+  const Points copy = moved(2.5 * mesh.vertices, by);
+  const RigidSegments segments = segmentRigidParts(mesh, {copy, mesh.vertices});
+  EXPECT_EQ(segments.count, 1);
+  EXPECT_NEAR(segments.scale[0], 2.5, 1e-9);
+  EXPECT_NEAR(segments.scale[1], 1, 1e-12);
+  EXPECT_LT((segments.motion[0][0].matrix() - by.matrix()).norm(), 1e-6);
+  EXPECT_LT((segments.motion[1][0].matrix() - Eigen::Matrix4d::Identity()).norm(), 1e-6);
+}
+
+TEST(RigidSegments, noiseIsNoMotion) {
+  const TriangleMesh mesh = test::sphere(4);
+  const int n = static_cast<int>(mesh.vertices.rows());
+  const Points noisy = mesh.vertices + 0.1 * meanEdgeLength(mesh) * test::randomPoints(n, 3);
+  EXPECT_EQ(segmentRigidParts(mesh, {noisy}).count, 1);
+}
+
+TEST(RigidSegments, doNotDependOnThePlaceOfThePose) {
+  const TriangleMesh strip = test::grid(60, 12, 3, 0.6);
+  const Points pose = folded(strip, 0.7);
+  const Eigen::Isometry3d by = motion(2);
+  const RigidSegments once = segmentRigidParts(strip, {pose}),
+                      again = segmentRigidParts(strip, {moved(3 * pose, by)});
+  EXPECT_EQ(once.face_label, again.face_label);
+  EXPECT_NEAR(again.scale[0], 3, 1e-9);
+  for (int part = 0; part < once.count; ++part)
+    EXPECT_NEAR(angle(again.motion[0][part], by * once.motion[0][part]), 0, 1e-6);
+}
+
+TEST(RigidSegments, aJointThatBendsInOnePoseOnlyCounts) {
+  const TriangleMesh strip = test::grid(60, 12, 3, 0.6);
+  EXPECT_EQ(segmentRigidParts(strip, {strip.vertices, folded(strip, 1), strip.vertices}).count, 2);
+}
+
+TEST(RigidSegments, areThoseOfANoisyBodyToo) {
+  Poses poses(BodyKind::HUMAN, {2});
+  const int n = static_cast<int>(poses.places[0].rows());
+  poses.places[0] += 0.05 * meanEdgeLength(poses.rest.mesh) * test::randomPoints(n, 3);
+  EXPECT_GE(agreement(poses, segmentRigidParts(poses.rest.mesh, poses.places)), 0.85);
+}
+
+TEST(RigidSegments, areTheBonesOfABody) {
+  for (BodyKind kind : {BodyKind::QUADRUPED, BodyKind::HUMAN})
+    for (int pose : {2, 4}) {
+      const Poses poses(kind, {pose});
+      const RigidSegments segments = segmentRigidParts(poses.rest.mesh, poses.places);
+      EXPECT_GE(agreement(poses, segments), 0.85) << pose;
+      EXPECT_TRUE(facesAreConnected(poses.rest.mesh, segments));
+    }
+}
+
+TEST(RigidSegments, holdAcrossSeveralPoses) {
+  const Poses poses(BodyKind::HUMAN, {2, 4, 5});
+  const RigidSegments segments = segmentRigidParts(poses.rest.mesh, poses.places);
+  EXPECT_GE(agreement(poses, segments), 0.85);
+  EXPECT_EQ(segments.motion.size(), 3u);
+}
+
+TEST(RigidSegments, moveAsTheirBonesDo) {
+  const Poses poses(BodyKind::QUADRUPED, {2, 4});
+  const RigidSegments segments = segmentRigidParts(poses.rest.mesh, poses.places);
+  // The bone that moves most of a part, where it moves most of it rigidly.
+  for (int part = 0; part < segments.count; ++part) {
+    std::map<int, int> rigid;
+    int size = 0;
+    for (std::size_t v = 0; v < segments.label.size(); ++v) {
+      if (segments.label[v] != part) continue;
+      ++size;
+      if (poses.rest.bone_weight[static_cast<int>(v)] >= 0.99) ++rigid[poses.rest.bone[v]];
+    }
+    for (const auto& [bone, count] : rigid) {
+      if (count < size / 2) continue;
+      for (int k = 0; k < 2; ++k)
+        EXPECT_LT(angle(segments.motion[k][part], poses.boneMotion(k, bone)), 2 * DEGREE)
+            << poses.rest.bone_names[bone];
+    }
+  }
+}
+
+TEST(RigidSegments, everyFaceAndVertexHasAPart) {
+  TriangleMesh mesh = test::grid(20, 5, 3, 0.6);
+  const auto n = mesh.vertices.rows(), m = mesh.faces.rows();
+  mesh.vertices.conservativeResize(n + 4, 3);  // a loose face, and a vertex in none
+  mesh.vertices.bottomRows(4) << 5, 0, 0, 6, 0, 0, 5, 1, 0, 9, 9, 9;
+  mesh.faces.conservativeResize(m + 2, 3);
+  mesh.faces.bottomRows(2) << n, n + 1, n + 2, 0, 1, 1;  // and one without area
+  const RigidSegments segments = segmentRigidParts(mesh, {folded(mesh, 0.5)});
+  for (int part : segments.face_label) {
+    EXPECT_GE(part, 0);
+    EXPECT_LT(part, segments.count);
+  }
+  for (int v = 0; v < n + 3; ++v) EXPECT_GE(segments.label[v], 0);
+  EXPECT_EQ(segments.label[n + 3], -1);
+}
+
+TEST(RigidSegments, refuseWhatDoesNotFit) {
+  const TriangleMesh mesh = test::grid(4, 4, 1, 1);
+  EXPECT_THROW(segmentRigidParts(mesh, {}), std::invalid_argument);
+  EXPECT_THROW(segmentRigidParts(mesh, {mesh.vertices.topRows(3)}), std::invalid_argument);
+  EXPECT_THROW(segmentRigidParts({mesh.vertices, Faces(0, 3)}, {mesh.vertices}),
+               std::invalid_argument);
+  TriangleMesh point = mesh;
+  point.vertices.setZero();
+  EXPECT_THROW(segmentRigidParts(point, {mesh.vertices}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace posture
