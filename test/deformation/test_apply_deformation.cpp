@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/deformation/apply_deformation.h>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+#include <cmath>
+
+namespace posture {
+namespace {
+
+Eigen::Affine3d similarity() {
+  return Eigen::Translation3d(1, -2, 3) *
+         Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, -1).normalized()) * Eigen::Scaling(0.3);
+}
+
+Points moved(const Points& points, const Eigen::Affine3d& by) {
+  return (by * points.transpose()).transpose();
+}
+
+double gap(const Points& x, const Points& y) { return (x - y).rowwise().norm().maxCoeff(); }
+
+TEST(ApplyDeformation, isExactAtTheVertices) {
+  const TriangleMesh mesh = test::grid(20, 10, 2, 1);
+  const Points bent = test::bentStrip(20, 10, 2, 1, 2).vertices;
+  EXPECT_EQ(applyDeformation(mesh, bent, mesh.vertices), bent);
+}
+
+TEST(ApplyDeformation, takesEverythingAlongWithASimilarity) {
+  const TriangleMesh mesh = test::sphere(2);
+  const Points points = 3 * test::randomPoints(200, 4);  // inside and out, near and far
+  const Points carried = applyDeformation(mesh, moved(mesh.vertices, similarity()), points);
+  EXPECT_LT(gap(carried, moved(points, similarity())), 1e-6);
+}
+
+TEST(ApplyDeformation, takesADenserSurfaceAlongABend) {
+  const double angle = 1.5;
+  const TriangleMesh coarse = test::grid(20, 10, 2, 1), dense = test::grid(83, 41, 2, 1);
+  const Points carried =
+      applyDeformation(coarse, test::bentStrip(20, 10, 2, 1, angle).vertices, dense.vertices);
+  // The sagitta of an edge of length 0.1 on the arc of radius 2 / 1.5 is 0.001.
+  EXPECT_LT(gap(carried, test::bentStrip(83, 41, 2, 1, angle).vertices), 0.005);
+}
+
+TEST(ApplyDeformation, hasNoJumps) {
+  const TriangleMesh mesh = test::grid(20, 10, 2, 1);
+  const Points bent = test::bentStrip(20, 10, 2, 1, 2).vertices;
+  constexpr int STEPS = 4000;
+  Points way(STEPS, 3);
+  for (int i = 0; i < STEPS; ++i) {
+    const double t = static_cast<double>(i) / STEPS;
+    way.row(i) << 0.1 + 1.8 * t, 0.2 + 0.6 * t, 0.03 * std::sin(20 * t);
+  }
+  const Points carried = applyDeformation(mesh, bent, way);
+  for (int i = 1; i < STEPS; ++i)
+    EXPECT_LT((carried.row(i) - carried.row(i - 1)).norm(),
+              3 * (way.row(i) - way.row(i - 1)).norm());
+}
+
+TEST(ApplyDeformation, aPartThatTouchesDoesNotDrag) {
+  const TriangleMesh one = test::grid(10, 10, 1, 1);
+  const auto n = one.vertices.rows(), m = one.faces.rows();
+  TriangleMesh both;
+  both.vertices.resize(2 * n, 3);
+  both.vertices << one.vertices, one.vertices.rowwise() + Eigen::RowVector3d(0, 0, 0.05);
+  both.faces.resize(2 * m, 3);
+  both.faces << one.faces, one.faces.array() + static_cast<int>(n);
+  Points apart = both.vertices;
+  apart.bottomRows(n).col(2).array() += 5;  // the upper sheet leaves
+  Points under(1, 3), over(1, 3);
+  under << 0.52, 0.47, 0.01;
+  over << 0.52, 0.47, 0.04;
+  EXPECT_LT(gap(applyDeformation(both, apart, under), under), 1e-9);
+  EXPECT_LT(gap(applyDeformation(both, apart, over), over.rowwise() + Eigen::RowVector3d(0, 0, 5)),
+            1e-9);
+}
+
+TEST(ApplyDeformation, scaleIsThatOfMostEdges) {
+  const TriangleMesh mesh = test::sphere(2);
+  Points places = 2.5 * mesh.vertices;
+  places.row(7) << 9, 9, 9;
+  EXPECT_NEAR(deformationScale(mesh, places), 2.5, 1e-12);
+  EXPECT_EQ(deformationScale({mesh.vertices, Faces(0, 3)}, places), 1);
+}
+
+TEST(ApplyDeformation, refusesWhatDoesNotFit) {
+  const TriangleMesh mesh = test::sphere(1);
+  EXPECT_THROW(applyDeformation(mesh, mesh.vertices.topRows(4), mesh.vertices),
+               std::invalid_argument);
+  EXPECT_THROW(applyDeformation({}, Points(0, 3), mesh.vertices), std::invalid_argument);
+  EXPECT_EQ(applyDeformation(mesh, mesh.vertices, Points(0, 3)).rows(), 0);
+}
+
+}  // namespace
+}  // namespace posture
