@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/core/correspondence.h>
+#include <posture/core/types.h>
+
+#include <vector>
+
+namespace posture {
+
+/// A whole source, deformed onto its target.
+struct Completion {
+  Points places;  ///< n x 3, in the target's frame and unit
+  /// n, where each vertex lies on the target; vertex -1: the target has a hole there, and the place
+  /// is where the source's own shape puts it.
+  std::vector<SurfacePoint> on_target;
+  double scale = 1;  ///< a source length times this is a target length
+  /// What is left of each energy, a mean without unit: squared relative changes of edge lengths,
+  /// squared mean-value residuals over the polygon's radius, squared distances from the target's
+  /// surface and from the matches in target edges (of those believed).
+  double isometry = 0, encoding = 0, surface = 0, matches = 0;
+  int iterations = 0;  ///< of the least-squares solver, at all resolutions
+};
+
+/// Deforms the whole source so that it goes through the known matches (section 6.2), by least
+/// squares over all vertices p_i:
+///   sum over edges       ((|p_i - p_j|^2 / l_ij^2 - 1) / 2)^2      l_ij lengths at rest
+///   sum over vertices    |r_i|^2 / s_i^2                           mean-value encoding
+///   sum over vertices    (n_i . (p_i - t_i))^2 / h^2               distance from the target
+///   sum over matches     c_i b_i |p_i - m_i|^2 / h^2               m_i the match, c_i confidence
+/// with weights that stand in the code, h the target's mean edge length. The first is the isometric
+/// energy of Kilian, Mitra and Pottmann (2007); r_i and s_i are those of MeanValueEncoding. Places
+/// t_i on the target are looked for anew several times; past the rim of a hole there is none, and
+/// matches on the rim of a hole do not count, as they may stand for any place in it. b_i is small
+/// for matches that lie far from where the rest of the surface wants the vertex (Geman and
+/// McClure). First on at most 5,000 vertices, then on all.
+///
+/// \param source   connected.
+/// \param start    n x 3, a rough deformation onto the target: nothing here finds its way round a
+/// body. \param matches  of the source's vertices, with faces and vertices of `target`; vertex -1:
+/// none. \throws std::invalid_argument  sizes or numbers out of range, meshes without faces, or a
+/// source
+///         that encodeMeanValues() refuses.
+Completion completeDeformation(const TriangleMesh& source,
+                               const Points& start,
+                               const Correspondence& matches,
+                               const TriangleMesh& target);
+
+}  // namespace posture

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "target_surface.h"
+
+#include <posture/mesh/edges.h>
+#include <posture/mesh/nearest_in_triangle.h>
+#include <posture/mesh/normals.h>
+
+#include <limits>
+
+namespace posture {
+
+using Eigen::Vector3d;
+
+TargetSurface::TargetSurface(const TriangleMesh& mesh)
+    : mesh_(mesh),
+      edge_(meanEdgeLength(mesh)),
+      normals_(vertexNormals(mesh)),
+      neighbors_(mesh.faces, static_cast<int>(mesh.vertices.rows())),
+      on_boundary_(boundaryVertices(mesh.faces, static_cast<int>(mesh.vertices.rows()))),
+      faces_at_(mesh.vertices.rows()),
+      across_(facesAcross(mesh.faces)),
+      index_(mesh.vertices) {
+  for (int f = 0; f < mesh.faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) faces_at_[mesh.faces(f, k)].push_back(f);
+}
+
+Vector3d TargetSurface::place(const SurfacePoint& at) const {
+  if (at.face < 0) return mesh_.vertices.row(at.vertex);
+  Vector3d sum = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+    sum += at.barycentric[k] * mesh_.vertices.row(mesh_.faces(at.face, k)).transpose();
+  return sum;
+}
+
+/// On a side without a neighbour, or at a corner where the surface ends.
+bool TargetSurface::onRim(const SurfacePoint& at) const {
+  constexpr double ON_SIDE = 1e-9;
+  int corners = 0, corner = -1;
+  for (int k = 0; k < 3; ++k)
+    if (at.barycentric[k] > ON_SIDE) {
+      ++corners;
+      corner = k;
+    }
+  if (corners == 1) return onBoundary(mesh_.faces(at.face, corner));
+  for (int k = 0; k < 3; ++k)
+    if (corners == 2 && at.barycentric[(k + 2) % 3] <= ON_SIDE && across_(at.face, k) < 0)
+      return onBoundary(mesh_.faces(at.face, k)) && onBoundary(mesh_.faces(at.face, (k + 1) % 3));
+  return false;
+}
+
+SurfacePlace TargetSurface::find(const Vector3d& point,
+                                 const Vector3d& normal,
+                                 const std::vector<int>& starts) const {
+  // A normal that is off by a radian counts as two edges.
+  const double normal_weight = 4 * edge_ * edge_;
+  const auto distance = [&](int t) {
+    return (mesh_.vertices.row(t).transpose() - point).squaredNorm() +
+           normal_weight * (normals_.row(t).transpose() - normal).squaredNorm();
+  };
+  int best = -1;
+  double least = std::numeric_limits<double>::infinity();
+  const auto take = [&](int t) {
+    const double d = distance(t);
+    if (d > least || (d == least && t >= best)) return false;
+    least = d;
+    best = t;
+    return true;
+  };
+  for (int t : starts) take(t);
+  for (bool moved = true; moved;) {
+    moved = false;
+    const int here = best;
+    for (const int* w = neighbors_.begin(here); w != neighbors_.end(here); ++w) {
+      moved |= take(*w);
+      for (const int* u = neighbors_.begin(*w); u != neighbors_.end(*w); ++u) moved |= take(*u);
+    }
+  }
+  SurfacePlace found;
+  found.at.vertex = best;
+  found.place = mesh_.vertices.row(best);
+  found.normal = normals_.row(best);
+  least = std::numeric_limits<double>::infinity();
+  const auto try_faces_at = [&](int vertex) {
+    for (int f : faces_at_[vertex]) {
+      const Vector3d a = mesh_.vertices.row(mesh_.faces(f, 0)),
+                     b = mesh_.vertices.row(mesh_.faces(f, 1)),
+                     c = mesh_.vertices.row(mesh_.faces(f, 2));
+      const Vector3d at = nearestInTriangle<Vector3d>(point, a, b, c);
+      const Vector3d place = at[0] * a + at[1] * b + at[2] * c;
+      if ((place - point).squaredNorm() >= least) continue;
+      least = (place - point).squaredNorm();
+      found.at.face = f;
+      found.at.barycentric = at;
+      found.place = place;
+    }
+  };
+  try_faces_at(best);
+  for (const int* w = neighbors_.begin(best); w != neighbors_.end(best); ++w) try_faces_at(*w);
+  if (found.at.face < 0) return found;
+  Vector3d sum = Vector3d::Zero();
+  int largest = 0;
+  for (int k = 0; k < 3; ++k) {
+    sum += found.at.barycentric[k] * normals_.row(mesh_.faces(found.at.face, k)).transpose();
+    if (found.at.barycentric[k] > found.at.barycentric[largest]) largest = k;
+  }
+  found.at.vertex = mesh_.faces(found.at.face, largest);
+  found.normal = sum.normalized();
+  const Vector3d off = point - found.place;
+  const double beside = (off - found.normal.dot(off) * found.normal).norm();
+  found.beyond_rim = beside > 0.5 * edge_ && onRim(found.at);
+  return found;
+}
+
+}  // namespace posture
