@@ -28,7 +28,7 @@ constexpr double ISOMETRY = 1, ENCODING = 1, SURFACE = 0.1, MATCHES = 0.06;
 /// How much stiffer the encoding is at first, so that folds of the start open.
 constexpr double FIRST_STIFFNESS = 10;
 
-/// A surface more edges away than this is another one: the target has a hole here.
+/// A surface with holes that is more edges away than this is another part of it: here is a hole.
 constexpr double FARTHEST = 2;
 
 constexpr int COARSE = 5000;  // vertices
@@ -121,7 +121,8 @@ class Level {
     completion.on_target.resize(on_target_.size());
     for (std::size_t v = 0; v < on_target_.size(); ++v)
       if (!on_target_[v].beyond_rim &&
-          (on_target_[v].place - Vector3d(places_.row(static_cast<int>(v)))).norm() < FARTHEST)
+          (!target_.hasBoundary() ||
+           (on_target_[v].place - Vector3d(places_.row(static_cast<int>(v)))).norm() < FARTHEST))
         completion.on_target[v] = on_target_[v].at;
   }
 

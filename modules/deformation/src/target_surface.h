@@ -26,6 +26,7 @@ class TargetSurface {
 
   double edge() const { return edge_; }  ///< mean length
   bool onBoundary(int vertex) const { return on_boundary_[vertex] != 0; }
+  bool hasBoundary() const { return has_boundary_; }
   Eigen::Vector3d place(const SurfacePoint& at) const;
 
   int nearestVertex(const Eigen::Vector3d& point) const { return index_.nearest(point).index; }
@@ -44,6 +45,7 @@ class TargetSurface {
   Points normals_;
   VertexNeighbors neighbors_;
   std::vector<char> on_boundary_;
+  bool has_boundary_;
   std::vector<std::vector<int>> faces_at_;
   Faces across_;
   PointIndex index_;
