@@ -14,9 +14,11 @@ namespace posture {
 /// that are joined to the nearest one within that reach: parts that touch do not drag each other.
 /// A vertex of the source goes exactly where it went. The map is smooth but where the nearest part
 /// of the surface changes; points far from it move with the nearest.
-/// \param source    its vertices and faces at rest. \param deformed  n x 3, where the vertices
-/// went. \param points    p x 3, in the frame and unit of the source. \return p x 3, in those of
-/// `deformed`. \throws std::invalid_argument  sizes that do not agree, or no vertices.
+/// \param source    its vertices and faces at rest.
+/// \param deformed  n x 3, where the vertices went.
+/// \param points    p x 3, in the frame and unit of the source.
+/// \return p x 3, in those of `deformed`.
+/// \throws std::invalid_argument  sizes that do not agree, or no vertices.
 Points applyDeformation(const TriangleMesh& source, const Points& deformed, const Points& points);
 
 /// The median ratio of edge lengths: a length at rest times this is one as deformed. 1 where there
