@@ -6,10 +6,11 @@
 #include <posture/evaluation/statistics.h>
 #include <posture/evaluation/surface_fit.h>
 #include <posture/evaluation/truth.h>
-#include <posture/io/mesh_io.h>
+#include <posture/io/shape_io.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/report/peak_memory.h>
 
+#include "target_places.h"
 #include <algorithm>
 #include <chrono>
 #include <omp.h>
@@ -25,19 +26,19 @@ double secondsSince(Clock::time_point start) {
 }
 
 struct PairData {
-  TriangleMesh source, target;
+  Shape source, target;
   std::vector<VertexPair> truth, mirror_truth;  // empty: not known
 };
 
-/// Also the seconds that reading the two meshes took.
+/// Also the seconds that reading the two shapes took.
 std::pair<PairData, double> readPair(const BenchmarkPair& pair) {
   PairData data;
   const auto start = Clock::now();
-  data.source = readMesh(pair.source).mesh;
-  data.target = readMesh(pair.target).mesh;
+  data.source = readShape(pair.source);
+  data.target = readShape(pair.target);
   const double seconds = secondsSince(start);
-  const int n = static_cast<int>(data.source.vertices.rows());
-  const int m = static_cast<int>(data.target.vertices.rows());
+  const int n = static_cast<int>(data.source.cloud.points.rows());
+  const int m = static_cast<int>(data.target.cloud.points.rows());
   if (!pair.truth.empty()) data.truth = readTruth(pair.truth, n, m);
   if (!pair.mirror_truth.empty()) data.mirror_truth = readTruth(pair.mirror_truth, n, m);
   return {std::move(data), seconds};
@@ -60,9 +61,12 @@ std::vector<SurfacePoint> atVertices(std::vector<SurfacePoint> places) {
 }
 
 Json judgeCandidates(const TargetMetric& metric,
-                     const PairData& data,
+                     const TargetPlaces& target,
+                     const std::vector<VertexPair>& truth,
                      const RegistrationResult& result) {
-  const std::vector<CandidateError> errors = candidateErrors(metric, answersOf(result), data.truth);
+  std::vector<std::vector<int>> answers = answersOf(result);
+  for (std::vector<int>& answer : answers) answer = target.onMesh(answer);
+  const std::vector<CandidateError> errors = candidateErrors(metric, answers, truth);
   const int best = bestCandidate(errors);
   Json list = Json::array();
   for (const CandidateError& e : errors)
@@ -75,18 +79,32 @@ Json judgeCandidates(const TargetMetric& metric,
   return json;
 }
 
-void judge(const PairData& data, const RegistrationResult& result, Json& json) {
-  const std::vector<SurfacePoint>& map = result.correspondence.on_target;
-  if (!data.truth.empty()) {
-    const TargetMetric metric(data.target);
-    json["errors"] = toJson(measureErrors(metric, atVertices(map), data.truth));
-    json["subvertex_mean_x100"] = 100 * mean(measureErrors(metric, map, data.truth).relative_error);
-    json["candidates"] = judgeCandidates(metric, data, result);
-    if (!data.mirror_truth.empty())
-      json["mirror"] = toJson(compareWithMirror(metric, map, data.truth, data.mirror_truth));
-  }
-  if (result.deformed.rows() == 0) return;
-  const SurfaceFit fit = measureFit(data.source, result.deformed, result.scale, data.target);
+void judgeErrors(const BenchmarkPair& pair,
+                 const PairData& data,
+                 const RegistrationResult& result,
+                 Json& json) {
+  const TargetPlaces target(
+      data.target, pair.target_surface, pair.target_surface_vertices, result.target_scan);
+  const TargetMetric metric(target.mesh());
+  const std::vector<SurfacePoint> map = target.onMesh(result.correspondence.on_target);
+  const std::vector<VertexPair> truth = target.onMesh(data.truth);
+  json["errors"] = toJson(measureErrors(metric, atVertices(map), truth));
+  json["subvertex_mean_x100"] = 100 * mean(measureErrors(metric, map, truth).relative_error);
+  json["candidates"] = judgeCandidates(metric, target, truth, result);
+  if (!data.mirror_truth.empty())
+    json["mirror"] =
+        toJson(compareWithMirror(metric, map, truth, target.onMesh(data.mirror_truth)));
+}
+
+/// How the surfaces lie on each other, those of clouds laid through them.
+void judgeFit(const PairData& data, const RegistrationResult& result, Json& json) {
+  const auto meshOf = [](const Shape& shape, const std::optional<ScanSurface>& scan) {
+    return scan ? scan->mesh : TriangleMesh{shape.cloud.points, shape.faces};
+  };
+  const SurfaceFit fit = measureFit(meshOf(data.source, result.source_scan),
+                                    result.source_scan ? result.surface_deformed : result.deformed,
+                                    result.scale,
+                                    meshOf(data.target, result.target_scan));
   json["fit"] = {{"median_distance", fit.median_distance},
                  {"percentile_95_distance", fit.percentile_95_distance},
                  {"mean_stretch", fit.mean_stretch},
@@ -114,8 +132,8 @@ Json registerAndJudge(const BenchmarkPair& pair,
     json["consistency"] = result.hypotheses[result.chosen].consistency;
   if (method == Method::REFINED) json["trust"] = result.trust;
   if (!result.alternatives.empty()) json["score"] = result.score;
-  json["source_vertices"] = data.source.vertices.rows();
-  json["target_vertices"] = data.target.vertices.rows();
+  json["source_vertices"] = data.source.cloud.points.rows();
+  json["target_vertices"] = data.target.cloud.points.rows();
   json["samples"] = result.source.samples;
   json["accepted"] = accepted;
   json["rejected"] = static_cast<std::ptrdiff_t>(places.size()) - accepted;
@@ -126,7 +144,8 @@ Json registerAndJudge(const BenchmarkPair& pair,
     stages[t.stage] = stages.value(t.stage, 0.0) + t.seconds;
   json["peak_memory_mib"] = memory;
   json["threads"] = omp_get_max_threads();
-  judge(data, result, json);
+  if (!data.truth.empty()) judgeErrors(pair, data, result, json);
+  if (result.deformed.rows() > 0) judgeFit(data, result, json);
   return json;
 }
 
@@ -141,7 +160,9 @@ Json describePair(const BenchmarkPair& pair, Method method) {
           {"target", pair.target.string()},
           {"truth", pair.truth.string()},
           {"mirror_truth", pair.mirror_truth.string()},
-          {"note", pair.note}};
+          {"note", pair.note},
+          {"target_surface", pair.target_surface.string()},
+          {"target_surface_vertices", pair.target_surface_vertices.string()}};
 }
 
 Json failedPair(const BenchmarkPair& pair,
@@ -155,17 +176,11 @@ Json failedPair(const BenchmarkPair& pair,
 }
 
 Json runPair(const BenchmarkPair& pair, Method method) {
-  bool points_only = false;
   try {
     const auto [data, read_seconds] = readPair(pair);
-    points_only = data.source.faces.rows() == 0 || data.target.faces.rows() == 0;
     return registerAndJudge(pair, method, data, read_seconds);
   } catch (const InputError& error) {
-    return failedPair(
-        pair,
-        method,
-        "not run",
-        (points_only ? "unsupported: points only: " : "") + std::string(error.what()));
+    return failedPair(pair, method, "not run", error.what());
   }
 }
 

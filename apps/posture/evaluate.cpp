@@ -3,12 +3,13 @@
 #include <posture/core/error.h>
 #include <posture/evaluation/truth.h>
 #include <posture/io/correspondence_io.h>
-#include <posture/io/mesh_io.h>
+#include <posture/io/shape_io.h>
 #include <posture/report/table.h>
 
 #include "error_json.h"
 #include "error_plots.h"
 #include "folder.h"
+#include "target_places.h"
 #include "verbs.h"
 #include <algorithm>
 #include <cmath>
@@ -23,30 +24,48 @@ namespace {
 namespace fs = std::filesystem;
 
 struct EvaluateOptions {
-  fs::path map, truth, target, mirror, folder;
+  fs::path map, truth, target, mirror, surface, surface_vertices, folder;
 };
 
-TargetMetric makeMetric(const fs::path& path, const TriangleMesh& mesh) {
+/// Errors about the target name its file.
+template <class Make>
+auto ofTarget(const EvaluateOptions& options, const Make& make) {
   try {
-    return TargetMetric(mesh);
+    return make();
   } catch (const InputError& error) {
-    throw InputError(path.string() + ": " + error.what());
+    const std::string message = error.what();
+    const bool named = message.find(": ") != std::string::npos;
+    throw InputError(named ? message : options.target.string() + ": " + message);
   }
 }
 
+/// A cloud's places have faces of a surface that is not at hand: their points are checked alone.
+void checkMap(const EvaluateOptions& options, const Shape& target, std::vector<SurfacePoint> map) {
+  if (target.faces.rows() == 0)
+    for (SurfacePoint& place : map) place.face = -1;
+  checkOnTarget(options.map.string(),
+                map,
+                static_cast<int>(target.cloud.points.rows()),
+                static_cast<int>(target.faces.rows()));
+}
+
 Json measure(const EvaluateOptions& options) {
-  const TriangleMesh target = readMesh(options.target).mesh;
+  const Shape target = readShape(options.target);
   const std::vector<SurfacePoint> map = readCorrespondence(options.map).on_target;
-  const int n = static_cast<int>(map.size()), m = static_cast<int>(target.vertices.rows());
-  checkOnTarget(options.map.string(), map, m, static_cast<int>(target.faces.rows()));
+  checkMap(options, target, map);
+  const int n = static_cast<int>(map.size()), m = static_cast<int>(target.cloud.points.rows());
   const std::vector<VertexPair> truth = readTruth(options.truth, n, m);
   std::vector<VertexPair> mirror_truth;
   if (!options.mirror.empty()) mirror_truth = readTruth(options.mirror, n, m);
 
-  const TargetMetric metric = makeMetric(options.target, target);
-  Json json = toJson(measureErrors(metric, map, truth));
+  const TargetPlaces places = ofTarget(
+      options, [&] { return TargetPlaces(target, options.surface, options.surface_vertices, {}); });
+  const TargetMetric metric = ofTarget(options, [&] { return TargetMetric(places.mesh()); });
+  const std::vector<SurfacePoint> placed = places.onMesh(map);
+  const std::vector<VertexPair> pairs = places.onMesh(truth);
+  Json json = toJson(measureErrors(metric, placed, pairs));
   if (!mirror_truth.empty())
-    json["mirror"] = toJson(compareWithMirror(metric, map, truth, mirror_truth));
+    json["mirror"] = toJson(compareWithMirror(metric, placed, pairs, places.onMesh(mirror_truth)));
   return json;
 }
 
@@ -127,7 +146,18 @@ void addEvaluate(CLI::App& app, Common& common) {
       ->required();
   verb->add_option("--truth", options->truth, "File of `source target` rows, or: identity")
       ->required();
-  verb->add_option("--target", options->target, "The target mesh")->required();
+  verb->add_option("--target", options->target, "The target: mesh or points")->required();
+  CLI::Option* surface = verb->add_option(
+      "--surface",
+      options->surface,
+      "Clean mesh of a target of points, in its frame, to measure on (default: one is laid "
+      "through the points)");
+  verb->add_option(
+          "--surface-vertices",
+          options->surface_vertices,
+          "File of `point vertex` rows: where the points lie on --surface (default: at the "
+          "nearest vertex)")
+      ->needs(surface);
   verb->add_option("--mirror", options->mirror, "As --truth, for the left-right mirrored answer");
   verb->add_option("-o,--output", options->folder, "Folder for evaluation.json, curves and plots");
   verb->callback([options, &common] { evaluate(*options, common); });

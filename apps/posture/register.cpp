@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
-#include <posture/io/correspondence_io.h>
-#include <posture/io/mesh_io.h>
+#include <posture/io/shape_io.h>
 #include <posture/pipeline/register_shapes.h>
-#include <posture/report/colors.h>
 #include <posture/report/report_html.h>
 #include <posture/report/report_json.h>
 
 #include "folder.h"
 #include "progress.h"
+#include "result_files.h"
 #include "stage_dump.h"
+#include "surface_option.h"
 #include "verbs.h"
 #include <chrono>
 #include <cstdio>
@@ -26,17 +26,19 @@ namespace fs = std::filesystem;
 struct RegisterOptions {
   fs::path source, target, folder, dump;
   bool paper = false, alternatives = false;
+  SurfaceMethod surface = SurfaceMethod::TANGENT_DELAUNAY;
 };
 
 /// The pipeline speaks of "source" and "target"; the user knows the files.
 RegistrationResult registerFiles(const RegisterOptions& options,
-                                 const TriangleMesh& source,
-                                 const TriangleMesh& target,
+                                 const Shape& source,
+                                 const Shape& target,
                                  const Observer& observer) {
   try {
     RegistrationOptions registration;
     registration.method = options.paper ? Method::PAPER : Method::REFINED;
     registration.refine_alternatives = options.alternatives;
+    registration.surface = options.surface;
     return registerShapes(source, target, registration, observer);
   } catch (const InputError& error) {
     const std::string message = error.what();
@@ -48,61 +50,24 @@ RegistrationResult registerFiles(const RegisterOptions& options,
   }
 }
 
-RunDescription describe(const RegisterOptions& options, double seconds) {
+RunDescription describe(const RegisterOptions& options,
+                        const RegistrationResult& result,
+                        double seconds) {
   RunDescription run;
   run.source = options.source.string();
   run.target = options.target.string();
   run.options = {{"method", options.paper ? "paper" : "refined"}};
-  run.files = {{"correspondence.csv", "for each source vertex its place on the target"},
-               {"registered.ply", "the source, moved onto the target"},
-               {"source_colored.ply", "the source, one colour a place; grey: no counterpart"},
-               {"target_colored.ply", "the target, in the colours of its counterparts"}};
+  run.files = resultFiles(result);
   run.threads = omp_get_max_threads();
   run.seconds = seconds;
   return run;
-}
-
-/// The answers that were not chosen, each as a table and as the target in the source's colours.
-void writeAlternatives(const fs::path& folder,
-                       const TriangleMesh& source,
-                       const TriangleMesh& target,
-                       const RegistrationResult& result) {
-  for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
-    if (static_cast<int>(k) == result.chosen) continue;
-    const Correspondence& other = result.alternatives[k].correspondence;
-    const std::string name = "alternative-" + std::to_string(k);
-    writeCorrespondence(folder / (name + ".csv"), other);
-    writeMesh(folder / (name + "_target_colored.ply"),
-              target,
-              transferColors(placeColors(source.vertices), other, target));
-  }
-}
-
-void writeResults(const RegisterOptions& options,
-                  const TriangleMesh& source,
-                  const TriangleMesh& target,
-                  const RegistrationResult& result,
-                  const RunDescription& run) {
-  const Colors colors = placeColors(source.vertices);
-  writeCorrespondence(options.folder / "correspondence.csv", result.correspondence);
-  writeMesh(options.folder / "registered.ply", {result.deformed, source.faces}, colors);
-  writeMesh(options.folder / "source_colored.ply",
-            source,
-            greyWhereRejected(colors, result.correspondence));
-  writeMesh(options.folder / "target_colored.ply",
-            target,
-            transferColors(colors, result.correspondence, target));
-  if (options.alternatives) writeAlternatives(options.folder, source, target, result);
-  writeText(options.folder / "report.json", reportJson(result, run));
-  writeText(options.folder / "report.html", reportHtml(result, run));
 }
 
 void registerVerb(const RegisterOptions& options, Common& common) {
   const auto start = std::chrono::steady_clock::now();
   ProgressBar bar(common.quiet);
   bar.show("reading", 0);
-  const TriangleMesh source = readMesh(options.source).mesh;
-  const TriangleMesh target = readMesh(options.target).mesh;
+  const Shape source = readShape(options.source), target = readShape(options.target);
   makeFolder(options.folder);
   checkWritable(options.folder / "report.json");  // now, not after minutes
   std::optional<StageDump> dump;
@@ -114,8 +79,10 @@ void registerVerb(const RegisterOptions& options, Common& common) {
       });
   bar.show("writing", 1);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  const RunDescription run = describe(options, elapsed.count());
-  writeResults(options, source, target, result, run);
+  const RunDescription run = describe(options, result, elapsed.count());
+  writeResultFiles(options.folder, source, target, result);
+  writeText(options.folder / "report.json", reportJson(result, run));
+  writeText(options.folder / "report.html", reportHtml(result, run));
   bar.clear();
 
   if (common.json) std::printf("%s", reportJson(result, run).c_str());
@@ -133,8 +100,11 @@ void addRegister(CLI::App& app, Common& common) {
   auto options = std::make_shared<RegisterOptions>();
   CLI::App* verb = app.add_subcommand(
       "register", "Find for every point of SOURCE where it is on TARGET, a body in another pose");
-  verb->add_option("SOURCE", options->source, "Mesh: PLY, OBJ, OFF, STL or VTK")->required();
-  verb->add_option("TARGET", options->target, "Mesh, in any frame and unit")->required();
+  verb->add_option("SOURCE",
+                   options->source,
+                   "Mesh (PLY, OBJ, OFF, STL, VTK) or points (PCD, PLY, XYZ, TXT, CSV)")
+      ->required();
+  verb->add_option("TARGET", options->target, "The same, in any frame and unit")->required();
   verb->add_option("-o,--output", options->folder, "Folder for the results")->required();
   verb->add_flag(
       "--paper",
@@ -145,6 +115,7 @@ void addRegister(CLI::App& app, Common& common) {
                  options->alternatives,
                  "Also write the different answers that were not chosen: alternative-1.csv, ...")
       ->excludes("--paper");
+  addSurfaceOption(verb, options->surface);
   verb->add_option("--dump", options->dump, "Folder for every stage's result as PLY files");
   verb->callback([options, &common] { registerVerb(*options, common); });
 }

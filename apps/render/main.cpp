@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/io/mesh_io.h>
+#include <posture/io/shape_io.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -89,11 +90,25 @@ std::string describe(const posture::render::Sheet& sheet, const std::string& out
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
+/// Without the points that are missing.
+posture::MeshFile toDraw(posture::Shape shape) {
+  posture::PointCloud& cloud = shape.cloud;
+  if (shape.faces.rows() > 0) return {{cloud.points, shape.faces}, cloud.normals, cloud.colors};
+  std::vector<int> seen;
+  for (int i = 0; i < cloud.points.rows(); ++i)
+    if (cloud.points.row(i).allFinite()) seen.push_back(i);
+  posture::MeshFile file;
+  file.mesh.vertices = cloud.points(seen, Eigen::all);
+  if (cloud.normals.rows() > 0) file.normals = cloud.normals(seen, Eigen::all);
+  if (cloud.colors.rows() > 0) file.colors = cloud.colors(seen, Eigen::all);
+  return file;
+}
+
 void run(const Arguments& arguments) {
   const SheetOptions& options = arguments.sheet;
   std::vector<posture::MeshFile> shapes;
   for (const auto& file : options.files) {
-    shapes.push_back(posture::readMesh(file));
+    shapes.push_back(toDraw(posture::readShape(file)));
     if (shapes.back().mesh.vertices.rows() == 0)
       throw posture::InputError(file.string() + ": there is nothing to draw");
   }

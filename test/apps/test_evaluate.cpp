@@ -123,7 +123,7 @@ TEST_F(Evaluate, BadInputIsOneLine) {
       "identity.csv: row 25: target vertex 25");
   expectInputError(
       evaluate("identity.csv", {"--truth", "identity", "--target", folder_ / "cloud.off"}),
-      "cloud.off: has no faces");
+      "cloud.off: has all its points on one line");
 }
 
 TEST_F(Evaluate, WrongUsageIsTwo) {

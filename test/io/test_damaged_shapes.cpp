@@ -37,7 +37,7 @@ std::string damage(std::string bytes, Rng& rng) {
 /// Either a shape that hangs together or an InputError of one line that names the file.
 void expectShapeOrInputError(const std::filesystem::path& path) {
   try {
-    const ShapeFile file = readShape(path);
+    const Shape file = readShape(path);
     const PointCloud& cloud = file.cloud;
     EXPECT_GT(cloud.points.rows(), 0);
     EXPECT_TRUE(file.faces.rows() == 0 || cloud.points.allFinite());

@@ -25,7 +25,7 @@ constexpr double NOTHING = std::numeric_limits<double>::quiet_NaN();
 
 PointCloud readCloud(const std::string& name, const std::string& bytes) {
   const TemporaryFolder folder;
-  const ShapeFile shape = readShape(folder.file(name, bytes));
+  const Shape shape = readShape(folder.file(name, bytes));
   EXPECT_EQ(shape.faces.rows(), 0);
   return shape.cloud;
 }
@@ -336,13 +336,13 @@ TEST(Table, badFilesAreRefusedInOneLine) {
   expect("nan nan nan\n", "none of its 1 points has finite coordinates");
 }
 
-TEST(ShapeFile, meshesAreReadAsReadMeshDoes) {
+TEST(Shape, meshesAreReadAsReadMeshDoes) {
   const TemporaryFolder folder;
   for (const auto& [name, bytes] : test::encodeEveryWay(test::grid(3, 2, 1, 2))) {
     SCOPED_TRACE(name);
     const auto path = folder.file(name, bytes);
     const MeshFile mesh = readMesh(path);
-    const ShapeFile shape = readShape(path);
+    const Shape shape = readShape(path);
     EXPECT_EQ(shape.cloud.points, mesh.mesh.vertices);
     EXPECT_EQ(shape.faces, mesh.mesh.faces);
   }
@@ -350,7 +350,7 @@ TEST(ShapeFile, meshesAreReadAsReadMeshDoes) {
   EXPECT_EQ(readShape(renamed).faces.rows(), 1);
 }
 
-TEST(ShapeFile, cloudsOfMeshFormatsMayHaveUnseenPoints) {
+TEST(Shape, cloudsOfMeshFormatsMayHaveUnseenPoints) {
   const std::string ply =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
       "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n";
@@ -395,7 +395,7 @@ TEST(WritePointCloud, comesBackTheSame) {
         SCOPED_TRACE(name);
         const PointCloud cloud = randomCloud(12, normals, colors);
         writePointCloud(folder / name, cloud);
-        const ShapeFile back = readShape(folder / name);
+        const Shape back = readShape(folder / name);
         expectSame(back.cloud.points, cloud.points);
         expectSame(back.cloud.normals, cloud.normals);
         EXPECT_EQ(back.cloud.colors, cloud.colors);

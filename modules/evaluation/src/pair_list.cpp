@@ -74,6 +74,8 @@ BenchmarkPair toPair(const Row& row, const std::filesystem::path& folder) {
   pair.truth = place(row["truth"]);
   pair.mirror_truth = place(row["mirror_truth"]);
   pair.note = row["note"];
+  pair.target_surface = place(row["target_surface"]);
+  pair.target_surface_vertices = place(row["target_surface_vertices"]);
   if (!isFileName(pair.id)) throw InputError("the id '" + pair.id + "' cannot name a file");
   if (pair.source.empty() || pair.target.empty())
     throw InputError("pair " + pair.id + " lacks its source or target");

@@ -42,8 +42,8 @@ void settle(PointCloud& cloud, const Input& input) {
   if (cloud.normals.isZero(0)) cloud.normals.resize(0, 3);
 }
 
-ShapeFile toShape(MeshFile&& file) {
-  ShapeFile shape;
+Shape toShape(MeshFile&& file) {
+  Shape shape;
   shape.cloud.points = std::move(file.mesh.vertices);
   shape.cloud.normals = std::move(file.normals);
   shape.cloud.colors = std::move(file.colors);
@@ -51,8 +51,8 @@ ShapeFile toShape(MeshFile&& file) {
   return shape;
 }
 
-ShapeFile readAnyShape(const Input& input) {
-  ShapeFile shape;
+Shape readAnyShape(const Input& input) {
+  Shape shape;
   if (isPcd(input)) {
     shape.cloud = readPcd(input);
   } else if (hasTableEnding(input) && signatureOf(input) == MeshFormat::UNKNOWN) {
@@ -71,7 +71,7 @@ ShapeFile readAnyShape(const Input& input) {
 
 }  // namespace
 
-ShapeFile readShape(const std::filesystem::path& path) {
+Shape readShape(const std::filesystem::path& path) {
   const Input input(path);
   try {
     return readAnyShape(input);

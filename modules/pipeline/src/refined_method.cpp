@@ -6,6 +6,7 @@
 #include <posture/mesh/edges.h>
 
 #include "finalists.h"
+#include "loose_pieces.h"
 #include "pose.h"
 #include "refined_pictures.h"
 #include "refined_result.h"
@@ -162,6 +163,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
                                         std::vector<char>(full.places.size(), 1),
                                         full.pair.bent_a,
                                         source_pose.into(source_given.input.vertices)));
+    placeLoosePieces(source_given, target_given, result);
     giveVerdict(result);
     return 0;
   });

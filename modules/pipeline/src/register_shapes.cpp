@@ -5,23 +5,52 @@
 #include "prepare.h"
 #include "published_method.h"
 #include "refined_method.h"
+#include "scan_side.h"
 #include "stage_clock.h"
 
 namespace posture {
+namespace {
+
+RegistrationResult registerMeshes(const TriangleMesh& source,
+                                  const TriangleMesh& target,
+                                  const RegistrationOptions& options,
+                                  StageClock& clock) {
+  const auto [source_clean, target_clean] = clock.stage("cleaning", 0.02, [&] {
+    return std::pair(cleanSide("source", source), cleanSide("target", target));
+  });
+  clock.show([&, &a = source_clean, &b = target_clean] { return cleaningPictures(a, b); });
+  return options.method == Method::PAPER
+             ? publishedMethod({source, source_clean}, {target, target_clean}, clock)
+             : refinedMethod({source, source_clean}, {target, target_clean}, options, clock);
+}
+
+}  // namespace
 
 RegistrationResult registerShapes(const TriangleMesh& source,
                                   const TriangleMesh& target,
                                   const RegistrationOptions& options,
                                   const Observer& observer) {
   StageClock clock(observer);
-  const auto [source_clean, target_clean] = clock.stage("cleaning", 0.02, [&] {
-    return std::pair(cleanSide("source", source), cleanSide("target", target));
+  RegistrationResult result = registerMeshes(source, target, options, clock);
+  result.timings = clock.timings();
+  return result;
+}
+
+RegistrationResult registerShapes(const Shape& source,
+                                  const Shape& target,
+                                  const RegistrationOptions& options,
+                                  const Observer& observer) {
+  StageClock clock(observer);
+  auto [source_surface, target_surface] = clock.stage("surfaces", 0.08, [&] {
+    return std::pair(surfaceOf("source", source, options.surface),
+                     surfaceOf("target", target, options.surface));
   });
-  clock.show([&, &a = source_clean, &b = target_clean] { return cleaningPictures(a, b); });
   RegistrationResult result =
-      options.method == Method::PAPER
-          ? publishedMethod({source, source_clean}, {target, target_clean}, clock)
-          : refinedMethod({source, source_clean}, {target, target_clean}, options, clock);
+      registerMeshes(source_surface.mesh, target_surface.mesh, options, clock);
+  clock.stage("points", 0.02, [&] {
+    referToPoints(source, target, std::move(source_surface), std::move(target_surface), result);
+    return 0;
+  });
   result.timings = clock.timings();
   return result;
 }

@@ -46,17 +46,16 @@ std::string percent(double share) {
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " %";
 }
 
-/// How many of the source's vertices the correspondence maps.
+}  // namespace
+
 std::string mappedMessage(const RegistrationResult& result) {
   const auto& places = result.correspondence.on_target;
   const auto mapped = std::count_if(
       places.begin(), places.end(), [](const SurfacePoint& p) { return p.vertex >= 0; });
   return std::to_string(mapped) + " of " + std::to_string(places.size()) +
-         " source vertices have a counterpart (" +
+         (result.source_scan ? " source points" : " source vertices") + " have a counterpart (" +
          percent(static_cast<double>(mapped) / static_cast<double>(places.size())) + ")";
 }
-
-}  // namespace
 
 double marginBefore(const RegistrationResult& result, const AlternativeSummary& other) {
   return other.score - result.alternatives[result.chosen].score;

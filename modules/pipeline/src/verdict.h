@@ -9,6 +9,9 @@
 
 namespace posture {
 
+/// How many of the source's vertices, or points, the correspondence maps.
+std::string mappedMessage(const RegistrationResult& result);
+
 /// Sets status and message from the chosen hypothesis: two bodies are called the same one when
 /// distances on them agree under it.
 void givePublishedVerdict(RegistrationResult& result);

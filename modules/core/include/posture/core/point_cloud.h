@@ -18,4 +18,10 @@ struct PointCloud {
   std::optional<Eigen::Vector3d> sensor;  ///< where the scanner stood, if one view and known
 };
 
+/// A shape as it was given: a mesh, or (no faces) a point cloud.
+struct Shape {
+  PointCloud cloud;
+  Faces faces;
+};
+
 }  // namespace posture

@@ -18,10 +18,15 @@ struct BenchmarkPair {
   std::filesystem::path truth;         ///< or the word `identity`; empty: none known
   std::filesystem::path mirror_truth;  ///< likewise
   std::string note;
+  /// For a target cloud: a clean mesh of the body, in its frame, to measure errors on, and a file
+  /// of `point vertex` rows that says where the points lie on it. Empty: see the benchmark.
+  std::filesystem::path target_surface;
+  std::filesystem::path target_surface_vertices;
 };
 
-/// Reads a CSV file with the header `id,family,kind,source,target,truth,mirror_truth,note` (columns
-/// in any order; all but id, source and target may be left out). Fields may be quoted; paths are
+/// Reads a CSV file with the header `id,family,kind,source,target,truth,mirror_truth,note` and
+/// perhaps `target_surface,target_surface_vertices` (columns in any order; all but id, source and
+/// target may be left out). Fields may be quoted; paths are
 /// relative to the file's folder.
 /// \throws InputError  cannot be read, a column is missing, a row has too few or too many fields,
 /// an

@@ -8,13 +8,7 @@
 
 namespace posture {
 
-/// A shape as its file has it, every point in order: a mesh, or (no faces) a point cloud.
-struct ShapeFile {
-  PointCloud cloud;
-  Faces faces;
-};
-
-/// Reads every format of readMesh; PCD (0.5 to 0.7: ASCII, binary, binary_compressed); and tables
+/// Reads a shape as its file has it, every point in order: every format of readMesh; PCD (0.5 to 0.7: ASCII, binary, binary_compressed); and tables
 /// of numbers, told by the ending .xyz, .txt, .csv, .asc, .pts, .xyzn or .xyzrgb.
 ///
 /// A cloud's point with a coordinate that is not finite, be it NaN or infinite (some sensors say so
@@ -38,7 +32,7 @@ struct ShapeFile {
 /// which of the two, the numbers say: of unit length, or whole and from 0 to 255 (else: all from
 /// 0 to 1). What is neither, and all other columns, are skipped.
 /// \throws InputError  as readMesh; no point of a cloud is finite.
-ShapeFile readShape(const std::filesystem::path& path);
+Shape readShape(const std::filesystem::path& path);
 
 /// Writes PCD (binary, single precision as PCL's own points have it), PLY (binary, double
 /// precision) or XYZ (text that reads back as the same numbers, with a line of names where there is

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <posture/core/correspondence.h>
+#include <posture/core/point_cloud.h>
 #include <posture/core/types.h>
 #include <posture/mesh/clean_mesh.h>
 #include <posture/pipeline/observer.h>
+#include <posture/scan/reconstruct.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +25,8 @@ struct RegistrationOptions {
   Method method = Method::REFINED;
   /// REFINED: also take the answers that were not chosen to full precision.
   bool refine_alternatives = false;
+  /// How a surface is laid through the points of a cloud.
+  SurfaceMethod surface = SurfaceMethod::TANGENT_DELAUNAY;
 };
 
 enum class Status {
@@ -81,7 +86,7 @@ struct RegistrationResult {
   Status status = Status::UNDECIDED;
   std::string message;
   Correspondence correspondence;
-  Points deformed;  ///< n x 3: the source's vertices, as given, moved onto the target
+  Points deformed;  ///< n x 3: the source's vertices (points), as given, moved onto the target
   std::vector<HypothesisSummary> hypotheses;     ///< PAPER
   std::vector<AlternativeSummary> alternatives;  ///< REFINED, by increasing score
   int chosen = -1;                               ///< index into hypotheses or alternatives
@@ -89,14 +94,26 @@ struct RegistrationResult {
   double score = 0;                              ///< REFINED: of the final map
   double trust = 0;  ///< REFINED, in [0, 1]: how likely the map is right, see docs/decisions.md
   double scale = 1;  ///< a source length times this is a target length
-  ShapeSummary source, target;
+  ShapeSummary source, target;  ///< of the meshes, given or laid through the points
+  /// Where a side was a point cloud: the surface laid through it, which faces refer to.
+  std::optional<ScanSurface> source_scan, target_scan;
+  Points surface_deformed;  ///< the vertices of source_scan's mesh, moved onto the target
   std::vector<StageTiming> timings;
 };
 
 /// Finds the dense correspondence of two meshes.
-/// \throws InputError  one of the meshes has no surface to work on; names which.
+/// \throws InputError  one of the meshes has no surface to work on; the message begins with its
+/// side, "source" or "target".
 RegistrationResult registerShapes(const TriangleMesh& source,
                                   const TriangleMesh& target,
+                                  const RegistrationOptions& options = {},
+                                  const Observer& observer = {});
+
+/// The same for meshes and point clouds, any mix. The correspondence has a row for each point of
+/// the source, in order, and points of the target as vertices; a point that is missing, or taken
+/// for an outlier, has no counterpart.
+RegistrationResult registerShapes(const Shape& source,
+                                  const Shape& target,
                                   const RegistrationOptions& options = {},
                                   const Observer& observer = {});
 

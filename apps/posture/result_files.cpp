@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "result_files.h"
+
+#include <posture/io/atomic_file.h>
+#include <posture/io/correspondence_io.h>
+#include <posture/io/mesh_io.h>
+#include <posture/io/shape_io.h>
+#include <posture/report/colors.h>
+
+#include <locale>
+
+namespace posture::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Points of no place are grey.
+Colors colorsOf(const Points& points) {
+  std::vector<int> seen;
+  for (int i = 0; i < points.rows(); ++i)
+    if (points.row(i).allFinite()) seen.push_back(i);
+  Colors colors = Colors::Constant(points.rows(), 3, REJECTED_GREY);
+  colors(seen, Eigen::all) = placeColors(points(seen, Eigen::all));
+  return colors;
+}
+
+/// A mesh stays a mesh, a cloud a cloud.
+void writeColored(const fs::path& path,
+                  const Points& points,
+                  const Faces& faces,
+                  const Colors& colors) {
+  if (faces.rows() > 0) {
+    writeMesh(path, {points, faces}, colors);
+    return;
+  }
+  PointCloud cloud;
+  cloud.points = points;
+  cloud.colors = colors;
+  writePointCloud(path, cloud);
+}
+
+/// The target's vertices or points in the colours of what lies there.
+Colors targetColors(const Colors& colors,
+                    const Correspondence& map,
+                    const Shape& target,
+                    const std::optional<ScanSurface>& scan) {
+  if (!scan) return transferColors(colors, map, {target.cloud.points, target.faces});
+  Correspondence on_surface = map;
+  for (SurfacePoint& place : on_surface.on_target)
+    if (place.face < 0) place.vertex = -1;  // its vertex is a point, not one of the surface
+  const Colors of_surface = transferColors(colors, on_surface, scan->mesh);
+  Colors of_points = Colors::Constant(target.cloud.points.rows(), 3, REJECTED_GREY);
+  for (std::size_t i = 0; i < scan->on_mesh.size(); ++i)
+    if (scan->on_mesh[i].vertex >= 0)
+      of_points.row(static_cast<Eigen::Index>(i)) = of_surface.row(scan->on_mesh[i].vertex);
+  return of_points;
+}
+
+std::string alternativeName(std::size_t k) { return "alternative-" + std::to_string(k); }
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationResult& result) {
+  std::vector<std::pair<std::string, std::string>> files = {
+      {"correspondence.csv", "for each source vertex (point) its place on the target"},
+      {"registered.ply", "the source, moved onto the target"},
+      {"source_colored.ply", "the source, one colour a place; grey: no counterpart"},
+      {"target_colored.ply", "the target, in the colours of its counterparts"}};
+  for (const auto& [side, scan] :
+       {std::pair("source", &result.source_scan), std::pair("target", &result.target_scan)}) {
+    if (!*scan) continue;
+    files.emplace_back(side + std::string("_surface.ply"),
+                       "the surface laid through the points of the " + std::string(side));
+    files.emplace_back(side + std::string("_surface.csv"), "for each point its place on it");
+  }
+  if (result.source_scan)
+    files.emplace_back("registered_surface.ply", "source_surface.ply, moved onto the target");
+  return files;
+}
+
+void writeSurfaceLink(const fs::path& path, const ScanSurface& surface) {
+  AtomicFile file(path);
+  std::ostream& out = file.stream();
+  out.imbue(std::locale::classic());
+  out.precision(9);
+  out << "point,vertex,face,b0,b1,b2,offset\n";
+  for (std::size_t i = 0; i < surface.on_mesh.size(); ++i) {
+    const SurfacePoint& at = surface.on_mesh[i];
+    out << i << ',' << at.vertex << ',' << at.face << ',' << at.barycentric[0] << ','
+        << at.barycentric[1] << ',' << at.barycentric[2] << ','
+        << surface.offset[static_cast<Eigen::Index>(i)] << '\n';
+  }
+  file.commit();
+}
+
+void writeResultFiles(const fs::path& folder,
+                      const Shape& source,
+                      const Shape& target,
+                      const RegistrationResult& result) {
+  const Colors colors = colorsOf(source.cloud.points);
+  const auto writeTarget = [&](const std::string& name, const Correspondence& map) {
+    writeColored(folder / name,
+                 target.cloud.points,
+                 target.faces,
+                 targetColors(colors, map, target, result.target_scan));
+  };
+  writeCorrespondence(folder / "correspondence.csv", result.correspondence);
+  writeColored(folder / "registered.ply", result.deformed, source.faces, colors);
+  writeColored(folder / "source_colored.ply",
+               source.cloud.points,
+               source.faces,
+               greyWhereRejected(colors, result.correspondence));
+  writeTarget("target_colored.ply", result.correspondence);
+  for (const auto& [side, scan] :
+       {std::pair("source", &result.source_scan), std::pair("target", &result.target_scan)}) {
+    if (!*scan) continue;
+    writeMesh(folder / (side + std::string("_surface.ply")), (*scan)->mesh);
+    writeSurfaceLink(folder / (side + std::string("_surface.csv")), **scan);
+  }
+  if (result.source_scan)
+    writeMesh(folder / "registered_surface.ply",
+              {result.surface_deformed, result.source_scan->mesh.faces});
+  for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
+    const Correspondence& other = result.alternatives[k].correspondence;
+    if (other.on_target.empty()) continue;
+    writeCorrespondence(folder / (alternativeName(k) + ".csv"), other);
+    writeTarget(alternativeName(k) + "_target_colored.ply", other);
+  }
+}
+
+}  // namespace posture::app

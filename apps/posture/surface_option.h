@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/scan/reconstruct.h>
+
+#include <CLI/CLI.hpp>
+
+namespace posture::app {
+
+/// --surface: how a surface is laid through points.
+inline void addSurfaceOption(CLI::App* verb, SurfaceMethod& method) {
+  verb->add_option("--surface",
+                   method,
+                   "How a surface is laid through points: delaunay (the default), mls, poisson or "
+                   "greedy (PCL's, for comparison)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, SurfaceMethod>{
+                                              {"delaunay", SurfaceMethod::TANGENT_DELAUNAY},
+                                              {"mls", SurfaceMethod::MLS},
+                                              {"poisson", SurfaceMethod::POISSON},
+                                              {"greedy", SurfaceMethod::GREEDY}})
+                      .description("delaunay, mls, poisson, greedy"));
+}
+
+}  // namespace posture::app

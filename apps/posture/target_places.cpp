@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "target_places.h"
+
+#include <posture/core/error.h>
+#include <posture/io/correspondence_io.h>
+#include <posture/io/mesh_io.h>
+#include <posture/mesh/point_index.h>
+
+namespace posture::app {
+
+TargetPlaces::TargetPlaces(const Shape& target,
+                           const std::filesystem::path& surface,
+                           const std::filesystem::path& vertices,
+                           const std::optional<ScanSurface>& scan) {
+  const Points& points = target.cloud.points;
+  itself_ = target.faces.rows() > 0;
+  if (itself_) {
+    mesh_ = {points, target.faces};
+    return;
+  }
+  vertex_.assign(points.rows(), -1);
+  if (surface.empty()) {
+    const ScanSurface laid = scan ? *scan : reconstruct(target.cloud);
+    mesh_ = laid.mesh;
+    for (std::size_t i = 0; i < vertex_.size(); ++i) vertex_[i] = laid.on_mesh[i].vertex;
+    return;
+  }
+  mesh_ = readMesh(surface).mesh;
+  if (vertices.empty()) {
+    const PointIndex index(mesh_.vertices);
+    for (int i = 0; i < points.rows(); ++i)
+      if (points.row(i).allFinite()) vertex_[i] = index.nearest(points.row(i)).index;
+    return;
+  }
+  for (const VertexPair& pair : readVertexPairs(vertices)) {
+    if (pair.source < 0 || pair.source >= points.rows() || pair.target < 0 ||
+        pair.target >= mesh_.vertices.rows())
+      throw InputError(vertices.string() + ": row `" + std::to_string(pair.source) + " " +
+                       std::to_string(pair.target) + "` names what is not there");
+    vertex_[pair.source] = pair.target;
+  }
+}
+
+int TargetPlaces::at(int target_vertex) const {
+  return itself_ || target_vertex < 0 ? target_vertex : vertex_[target_vertex];
+}
+
+std::vector<VertexPair> TargetPlaces::onMesh(const std::vector<VertexPair>& pairs) const {
+  std::vector<VertexPair> placed;
+  for (const VertexPair& pair : pairs)
+    if (at(pair.target) >= 0) placed.push_back({pair.source, at(pair.target)});
+  return placed;
+}
+
+std::vector<SurfacePoint> TargetPlaces::onMesh(const std::vector<SurfacePoint>& places) const {
+  if (itself_) return places;
+  std::vector<SurfacePoint> placed(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) placed[i].vertex = at(places[i].vertex);
+  return placed;
+}
+
+std::vector<int> TargetPlaces::onMesh(const std::vector<int>& target_vertex) const {
+  std::vector<int> placed;
+  for (int t : target_vertex) placed.push_back(at(t));
+  return placed;
+}
+
+}  // namespace posture::app

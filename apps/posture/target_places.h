@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/core/correspondence.h>
+#include <posture/core/point_cloud.h>
+#include <posture/scan/reconstruct.h>
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace posture::app {
+
+/// The mesh on which errors are measured, and where the target's vertices (points) lie on it.
+class TargetPlaces {
+ public:
+  /// A mesh is measured on itself, a cloud on `surface` (a clean mesh of the same body in the same
+  /// frame) where that is named, else on the surface laid through it.
+  /// \param vertices  file of `point vertex` rows; empty: each point goes to the nearest vertex.
+  /// \param scan  of the target where it is a cloud; laid through it here if there is none.
+  /// \throws InputError  a file cannot be used.
+  TargetPlaces(const Shape& target,
+               const std::filesystem::path& surface,
+               const std::filesystem::path& vertices,
+               const std::optional<ScanSurface>& scan);
+
+  const TriangleMesh& mesh() const { return mesh_; }
+
+  /// Pairs whose target has no place on the mesh are left out.
+  std::vector<VertexPair> onMesh(const std::vector<VertexPair>& pairs) const;
+  std::vector<SurfacePoint> onMesh(const std::vector<SurfacePoint>& places) const;
+  std::vector<int> onMesh(const std::vector<int>& target_vertex) const;
+
+ private:
+  int at(int target_vertex) const;
+
+  TriangleMesh mesh_;
+  bool itself_ = false;
+  std::vector<int> vertex_;  // -1: none
+};
+
+}  // namespace posture::app

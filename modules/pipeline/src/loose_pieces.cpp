@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loose_pieces.h"
+
+#include <posture/mesh/edges.h>
+#include <posture/mesh/normals.h>
+#include <posture/mesh/point_index.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace posture {
+namespace {
+
+/// Of the square root of the area: how much of the surface next to a piece tells its motion, and
+/// how far the piece may have to go from there.
+constexpr double SURROUNDINGS = 0.15, REACH = 0.2;
+
+/// In mean edges of the target: what lies this near to its surface lies on it.
+constexpr double ON_SURFACE = 2;
+
+/// Of a piece's vertices, to call it placed.
+constexpr double MOST = 0.6;
+
+constexpr int STEPS = 30;
+constexpr std::size_t LEAST_NEIGHBORS = 6;
+
+struct Rigid {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::RowVector3d translation = Eigen::RowVector3d::Zero();
+
+  Points of(const Points& points) const {
+    return (points * rotation.transpose()).rowwise() + translation;
+  }
+};
+
+Rigid bestRigid(const Points& from, const Points& to) {
+  const Eigen::RowVector3d mean_from = from.colwise().mean(), mean_to = to.colwise().mean();
+  const Eigen::Matrix3d moment =
+      (to.rowwise() - mean_to).transpose() * (from.rowwise() - mean_from);
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moment, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Vector3d sign(1, 1, 1);
+  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) sign[2] = -1;
+  Rigid motion;
+  motion.rotation = svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
+  motion.translation = mean_to - mean_from * motion.rotation.transpose();
+  return motion;
+}
+
+/// Vertices off the main surface, joined where faces join them or they are at one place; single
+/// points in no face are pieces of their own. By their first vertex.
+std::vector<std::vector<int>> loosePieces(const GivenShape& shape) {
+  const int n = static_cast<int>(shape.input.vertices.rows());
+  std::vector<int> parent(n);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  const auto join = [&](int a, int b) {
+    a = root(a);
+    b = root(b);
+    parent[std::max(a, b)] = std::min(a, b);
+  };
+  for (int f = 0; f < shape.input.faces.rows(); ++f)
+    for (int k = 1; k < 3; ++k) join(shape.input.faces(f, 0), shape.input.faces(f, k));
+  std::vector<int> by_place(n);
+  std::iota(by_place.begin(), by_place.end(), 0);
+  const auto before = [&](int a, int b) {
+    for (int k = 0; k < 3; ++k)
+      if (shape.input.vertices(a, k) != shape.input.vertices(b, k))
+        return shape.input.vertices(a, k) < shape.input.vertices(b, k);
+    return a < b;
+  };
+  std::sort(by_place.begin(), by_place.end(), before);
+  for (int i = 1; i < n; ++i)
+    if (shape.input.vertices.row(by_place[i]) == shape.input.vertices.row(by_place[i - 1]))
+      join(by_place[i], by_place[i - 1]);
+
+  std::vector<int> number(n, -1);
+  std::vector<std::vector<int>> pieces;
+  for (int v = 0; v < n; ++v) {
+    if (!(shape.clean.offset[v] > 0)) continue;
+    int& piece = number[root(v)];
+    if (piece < 0) {
+      piece = static_cast<int>(pieces.size());
+      pieces.emplace_back();
+    }
+    pieces[piece].push_back(v);
+  }
+  return pieces;
+}
+
+/// A part of the target's vertices to look for neighbours in.
+class TargetPart {
+ public:
+  template <class Keep>
+  TargetPart(const TriangleMesh& mesh, const Keep& keep) : mesh_(mesh) {
+    for (int v = 0; v < mesh.vertices.rows(); ++v)
+      if (keep(v)) vertex_.push_back(v);
+    if (!vertex_.empty()) index_.emplace(mesh.vertices(vertex_, Eigen::all));
+  }
+  bool empty() const { return vertex_.empty(); }
+
+  struct Near {
+    int vertex;
+    double distance;
+  };
+  Near nearest(const Eigen::RowVector3d& place) const {
+    const PointIndex::Neighbor found = index_->nearest(place.transpose());
+    return {vertex_[found.index], found.distance};
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+  std::vector<int> vertex_;
+  std::optional<PointIndex> index_;
+};
+
+class Placing {
+ public:
+  Placing(const GivenShape& source, const GivenShape& target, RegistrationResult& result)
+      : source_(source),
+        target_(target),
+        result_(result),
+        edge_(meanEdgeLength(target.clean.mesh)),
+        size_(std::sqrt(faceAreas(target.clean.mesh).sum())),
+        source_normals_(vertexNormals(source.input)),
+        target_normals_(vertexNormals(target.input)),
+        target_face_(
+            vertexFaces(target.input.faces, static_cast<int>(target.input.vertices.rows()))),
+        whole_(target.input, [](int) { return true; }),
+        free_(target.input, [claimed = claimed()](int v) { return !claimed[v]; }),
+        main_(source.input.vertices, source.clean) {}
+
+  void place(const std::vector<int>& piece) {
+    const Points rest = result_.scale * source_.input.vertices(piece, Eigen::all);
+    const Points normals = source_normals_(piece, Eigen::all);
+    const std::optional<Rigid> beside = motionBeside(piece);
+    if (!beside) return leaveOut(piece);
+    if (settled(*beside, rest, normals, whole_)) return put(piece, *beside, rest, normals, whole_);
+    const Rigid drawn = drawnTo(free_, *beside, rest, normals);
+    if (settled(drawn, rest, normals, free_)) return put(piece, drawn, rest, normals, free_);
+    result_.deformed(piece, Eigen::all) = beside->of(rest);
+    leaveOut(piece);
+  }
+
+ private:
+  /// The source's main surface, for neighbours.
+  struct Main {
+    std::vector<int> vertex;
+    Main(const Points& vertices, const CleanMesh& clean) {
+      for (int v = 0; v < vertices.rows(); ++v)
+        if (!(clean.offset[v] > 0)) vertex.push_back(v);
+    }
+  };
+
+  /// Target vertices where the source's main surface lies.
+  std::vector<char> claimed() const {
+    const Points& deformed = result_.deformed;
+    std::vector<int> mapped;
+    for (int v = 0; v < deformed.rows(); ++v)
+      if (!(source_.clean.offset[v] > 0) && result_.correspondence.on_target[v].vertex >= 0)
+        mapped.push_back(v);
+    std::vector<char> claimed(target_.input.vertices.rows(), 0);
+    if (mapped.empty()) return claimed;
+    const PointIndex index(deformed(mapped, Eigen::all));
+    for (std::size_t t = 0; t < claimed.size(); ++t)
+      claimed[t] =
+          index.nearest(target_.input.vertices.row(static_cast<int>(t)).transpose()).distance <
+          ON_SURFACE * edge_;
+    return claimed;
+  }
+
+  /// That of the mapped main surface around the vertex of it that is nearest to the piece.
+  std::optional<Rigid> motionBeside(const std::vector<int>& piece) const {
+    const int nearest = *std::min_element(piece.begin(), piece.end(), [&](int a, int b) {
+      return source_.clean.offset[a] < source_.clean.offset[b];
+    });
+    const Points& all = source_.input.vertices;
+    const Eigen::RowVector3d center =
+        all.row(source_.clean.input_vertex[source_.clean.clean_vertex[nearest]]);
+    const double radius = SURROUNDINGS * size_ / result_.scale;
+    std::vector<int> around;
+    for (int v : main_.vertex)
+      if (result_.correspondence.on_target[v].vertex >= 0 && (all.row(v) - center).norm() < radius)
+        around.push_back(v);
+    if (around.size() < LEAST_NEIGHBORS) return std::nullopt;
+    return bestRigid(result_.scale * all(around, Eigen::all), result_.deformed(around, Eigen::all));
+  }
+
+  bool agree(const Rigid& motion, const Eigen::RowVector3d& normal, int target_vertex) const {
+    const Eigen::RowVector3d turned = normal * motion.rotation.transpose();
+    return turned.dot(target_normals_.row(target_vertex)) >= 0;
+  }
+
+  bool settled(const Rigid& motion,
+               const Points& rest,
+               const Points& normals,
+               const TargetPart& part) const {
+    if (part.empty()) return false;
+    const Points places = motion.of(rest);
+    int on = 0;
+    for (int i = 0; i < places.rows(); ++i) {
+      const TargetPart::Near near = part.nearest(places.row(i));
+      on += near.distance < ON_SURFACE * edge_ && agree(motion, normals.row(i), near.vertex);
+    }
+    return on >= MOST * static_cast<double>(places.rows());
+  }
+
+  /// Iterated closest points within a shrinking reach.
+  Rigid drawnTo(const TargetPart& part,
+                Rigid motion,
+                const Points& rest,
+                const Points& normals) const {
+    if (part.empty()) return motion;
+    for (int step = 0; step < STEPS; ++step) {
+      const double share = 1 - static_cast<double>(step) / STEPS;
+      const double reach = std::max(ON_SURFACE * edge_, share * REACH * size_);
+      const Points places = motion.of(rest);
+      std::vector<int> moved, goals;
+      for (int i = 0; i < places.rows(); ++i) {
+        const TargetPart::Near near = part.nearest(places.row(i));
+        if (near.distance > reach || !agree(motion, normals.row(i), near.vertex)) continue;
+        moved.push_back(i);
+        goals.push_back(near.vertex);
+      }
+      if (moved.size() < LEAST_NEIGHBORS) return motion;
+      motion = bestRigid(rest(moved, Eigen::all), target_.input.vertices(goals, Eigen::all));
+    }
+    return motion;
+  }
+
+  void put(const std::vector<int>& piece,
+           const Rigid& motion,
+           const Points& rest,
+           const Points& normals,
+           const TargetPart& part) {
+    const Points places = motion.of(rest);
+    result_.deformed(piece, Eigen::all) = places;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const int row = static_cast<int>(i);
+      const TargetPart::Near near = part.nearest(places.row(row));
+      const bool on =
+          near.distance < ON_SURFACE * edge_ && agree(motion, normals.row(row), near.vertex);
+      result_.correspondence.on_target[piece[i]] = {};
+      if (on) result_.correspondence.on_target[piece[i]] = atVertex(near.vertex);
+      const double miss = near.distance / (ON_SURFACE * edge_);
+      result_.correspondence.confidence[piece[i]] = on ? result_.trust / (1 + miss * miss) : 0;
+    }
+  }
+
+  SurfacePoint atVertex(int vertex) const {
+    SurfacePoint place;
+    place.vertex = vertex;
+    place.face = target_face_[vertex];
+    for (int k = 0; k < 3 && place.face >= 0; ++k)
+      place.barycentric[k] = target_.input.faces(place.face, k) == vertex;
+    return place;
+  }
+
+  void leaveOut(const std::vector<int>& piece) {
+    for (int v : piece) {
+      result_.correspondence.on_target[v] = {};
+      result_.correspondence.confidence[v] = 0;
+    }
+  }
+
+  const GivenShape &source_, &target_;
+  RegistrationResult& result_;
+  double edge_, size_;
+  Points source_normals_, target_normals_;
+  std::vector<int> target_face_;
+  TargetPart whole_, free_;
+  Main main_;
+};
+
+}  // namespace
+
+void placeLoosePieces(const GivenShape& source,
+                      const GivenShape& target,
+                      RegistrationResult& result) {
+  const std::vector<std::vector<int>> pieces = loosePieces(source);
+  if (pieces.empty()) return;
+  Placing placing(source, target, result);
+  for (const std::vector<int>& piece : pieces) placing.place(piece);
+}
+
+}  // namespace posture

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_side.h"
+
+#include <posture/core/error.h>
+#include <posture/deformation/apply_deformation.h>
+#include <posture/mesh/nearest_in_triangle.h>
+#include <posture/mesh/point_index.h>
+
+#include "verdict.h"
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace posture {
+namespace {
+
+/// Faces at each vertex.
+class FacesAround {
+ public:
+  FacesAround(const Faces& faces, int vertex_count) : at_(vertex_count) {
+    for (int f = 0; f < faces.rows(); ++f)
+      for (int k = 0; k < 3; ++k) at_[faces(f, k)].push_back(f);
+  }
+  const std::vector<int>& operator[](int vertex) const { return at_[vertex]; }
+
+ private:
+  std::vector<std::vector<int>> at_;
+};
+
+Eigen::RowVector3d positionOf(const TriangleMesh& mesh, const SurfacePoint& place) {
+  if (place.face < 0) return mesh.vertices.row(place.vertex);
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+    sum += place.barycentric[k] * mesh.vertices.row(mesh.faces(place.face, k));
+  return sum;
+}
+
+/// Where points of a source surface's faces lie on the target, from where its vertices do.
+class Between {
+ public:
+  Between(const TriangleMesh& source, const TriangleMesh& target, const Correspondence& vertices)
+      : source_(source),
+        target_(target),
+        vertices_(vertices),
+        around_(target.faces, static_cast<int>(target.vertices.rows())) {}
+
+  /// The place for a point in a face, and its confidence. Where not all corners have a counterpart,
+  /// that of the nearest corner.
+  std::pair<SurfacePoint, double> operator()(const SurfacePoint& at) const {
+    if (at.vertex < 0) return {};
+    const auto of_vertex = [&](int v) {
+      return std::pair(vertices_.on_target[v], vertices_.confidence[v]);
+    };
+    if (at.face < 0) return of_vertex(at.vertex);
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    double confidence = 0;
+    for (int k = 0; k < 3; ++k) {
+      const int corner = source_.faces(at.face, k);
+      const SurfacePoint& image = vertices_.on_target[corner];
+      if (image.vertex < 0) return of_vertex(at.vertex);
+      place += at.barycentric[k] * positionOf(target_, image).transpose();
+      confidence += at.barycentric[k] * vertices_.confidence[corner];
+    }
+    return {nearest(place, source_.faces.row(at.face)), confidence};
+  }
+
+ private:
+  /// The nearest place in the faces around the images of the three corners.
+  SurfacePoint nearest(const Eigen::Vector3d& place, const Eigen::RowVector3i& corners) const {
+    SurfacePoint best;
+    double least = std::numeric_limits<double>::infinity();
+    const auto tryFace = [&](int f) {
+      const auto corner = [&](int k) -> Eigen::Vector3d {
+        return target_.vertices.row(target_.faces(f, k));
+      };
+      const Eigen::Vector3d a = corner(0), b = corner(1), c = corner(2);
+      const Eigen::Vector3d at = nearestInTriangle<Eigen::Vector3d>(place, a, b, c);
+      const double distance = (at[0] * a + at[1] * b + at[2] * c - place).squaredNorm();
+      if (distance >= least) return;
+      least = distance;
+      Eigen::Index largest = 0;
+      at.maxCoeff(&largest);
+      best = {target_.faces(f, largest), f, at};
+    };
+    for (int k = 0; k < 3; ++k) {
+      const SurfacePoint& image = vertices_.on_target[corners[k]];
+      for (int f : around_[image.vertex]) tryFace(f);
+      if (image.face >= 0)
+        for (int j = 0; j < 3; ++j)
+          for (int f : around_[target_.faces(image.face, j)]) tryFace(f);
+    }
+    return best.vertex >= 0 ? best : vertices_.on_target[corners[0]];
+  }
+
+  const TriangleMesh &source_, &target_;
+  const Correspondence& vertices_;
+  FacesAround around_;
+};
+
+/// The nearest points of a cloud, outliers and missing ones left out.
+class CloudPoints {
+ public:
+  CloudPoints(const PointCloud& cloud, const ScanSurface& scan) {
+    for (int i = 0; i < cloud.points.rows(); ++i)
+      if (scan.on_mesh[i].vertex >= 0) number_.push_back(i);
+    Points seen(number_.size(), 3);
+    for (std::size_t i = 0; i < number_.size(); ++i) seen.row(i) = cloud.points.row(number_[i]);
+    index_.emplace(seen);
+  }
+  int nearest(const Eigen::RowVector3d& place) const {
+    return number_[index_->nearest(place.transpose()).index];
+  }
+
+ private:
+  std::vector<int> number_;
+  std::optional<PointIndex> index_;
+};
+
+Correspondence perPoint(const ScanSurface& scan,
+                        const TriangleMesh& source,
+                        const TriangleMesh& target,
+                        const Correspondence& vertices) {
+  const Between between(source, target, vertices);
+  const std::size_t n = scan.on_mesh.size();
+  Correspondence points{std::vector<SurfacePoint>(n), Vector::Zero(n)};
+  for (std::size_t i = 0; i < n; ++i)
+    std::tie(points.on_target[i], points.confidence[i]) = between(scan.on_mesh[i]);
+  return points;
+}
+
+std::vector<int> perPoint(const ScanSurface& scan, const std::vector<int>& target_vertex) {
+  std::vector<int> points;
+  for (const SurfacePoint& at : scan.on_mesh)
+    points.push_back(at.vertex >= 0 ? target_vertex[at.vertex] : -1);
+  return points;
+}
+
+/// Missing points stay so.
+Points movedPoints(const TriangleMesh& surface, const Points& deformed, const PointCloud& cloud) {
+  std::vector<int> seen;
+  for (int i = 0; i < cloud.points.rows(); ++i)
+    if (cloud.points.row(i).allFinite()) seen.push_back(i);
+  const Points moved = applyDeformation(surface, deformed, cloud.points(seen, Eigen::all));
+  Points points = cloud.points;
+  points(seen, Eigen::all) = moved;
+  return points;
+}
+
+}  // namespace
+
+SideSurface surfaceOf(const std::string& side, const Shape& shape, SurfaceMethod method) {
+  if (shape.faces.rows() > 0) return {{shape.cloud.points, shape.faces}, std::nullopt};
+  try {
+    SideSurface surface;
+    surface.scan = reconstruct(shape.cloud, {method});
+    surface.mesh = surface.scan->mesh;
+    return surface;
+  } catch (const InputError& error) {
+    throw InputError(side + " " + error.what());
+  }
+}
+
+void referToPoints(const Shape& source,
+                   const Shape& target,
+                   SideSurface source_surface,
+                   SideSurface target_surface,
+                   RegistrationResult& result) {
+  std::vector<Correspondence*> maps{&result.correspondence};
+  std::vector<std::vector<int>*> vertex_maps;
+  for (AlternativeSummary& alternative : result.alternatives) {
+    vertex_maps.push_back(&alternative.target_vertex);
+    if (!alternative.correspondence.on_target.empty()) maps.push_back(&alternative.correspondence);
+  }
+  for (HypothesisSummary& hypothesis : result.hypotheses)
+    vertex_maps.push_back(&hypothesis.target_vertex);
+
+  if (source_surface.scan) {
+    const ScanSurface& scan = *source_surface.scan;
+    for (Correspondence* map : maps)
+      *map = perPoint(scan, source_surface.mesh, target_surface.mesh, *map);
+    for (std::vector<int>* map : vertex_maps) *map = perPoint(scan, *map);
+    result.surface_deformed = std::move(result.deformed);
+    result.deformed = movedPoints(source_surface.mesh, result.surface_deformed, source.cloud);
+  }
+  if (target_surface.scan) {
+    const CloudPoints points(target.cloud, *target_surface.scan);
+    for (Correspondence* map : maps)
+      for (SurfacePoint& place : map->on_target)
+        if (place.vertex >= 0)
+          place.vertex = points.nearest(positionOf(target_surface.mesh, place));
+    std::vector<int> point_at(target_surface.mesh.vertices.rows());
+    for (int v = 0; v < static_cast<int>(point_at.size()); ++v)
+      point_at[v] = points.nearest(target_surface.mesh.vertices.row(v));
+    for (std::vector<int>* map : vertex_maps)
+      for (int& t : *map)
+        if (t >= 0) t = point_at[t];
+  }
+  result.source_scan = std::move(source_surface.scan);
+  result.target_scan = std::move(target_surface.scan);
+  if (result.status == Status::REGISTERED) result.message = mappedMessage(result);
+}
+
+}  // namespace posture
