@@ -3,23 +3,20 @@
 #include <posture/core/error.h>
 #include <posture/io/mesh_io.h>
 #include <posture/io/shape_io.h>
+#include <posture/report/report_json.h>
 #include <posture/scan/reconstruct.h>
-
-#include <nlohmann/json.hpp>
 
 #include "result_files.h"
 #include "surface_option.h"
 #include "verbs.h"
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 
 namespace posture::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 struct ReconstructOptions {
   fs::path scan, mesh, link;
@@ -37,35 +34,12 @@ ScanSurface reconstructFile(const ReconstructOptions& options) {
   }
 }
 
-Json describe(const ReconstructionSummary& s) {
-  return {{"points", s.points},
-          {"missing", s.missing},
-          {"repeated", s.repeated},
-          {"outliers", s.outliers},
-          {"dropped_pieces", s.dropped_pieces},
-          {"spacing", s.spacing},
-          {"noise", s.noise},
-          {"mesh_spacing", s.mesh_spacing},
-          {"averaged", s.averaged},
-          {"vertices", s.vertices},
-          {"faces", s.faces},
-          {"components", s.components},
-          {"boundary_loops", s.boundary_loops},
-          {"boundary_length", s.boundary_length},
-          {"thin_share", s.thin},
-          {"contacts", s.contacts},
-          {"double_walls", s.double_walls},
-          {"oriented_by_sensor", s.oriented_by_sensor},
-          {"oriented_by_normals", s.oriented_by_normals},
-          {"warnings", s.warnings}};
-}
-
 void reconstructVerb(const ReconstructOptions& options, const Common& common) {
   const ScanSurface surface = reconstructFile(options);
   writeMesh(options.mesh, surface.mesh);
   if (!options.link.empty()) writeSurfaceLink(options.link, surface);
   if (common.json) {
-    std::cout << describe(surface.summary).dump(1) << '\n';
+    std::printf("%s", reconstructionJson(surface.summary).c_str());
     return;
   }
   if (common.quiet) return;

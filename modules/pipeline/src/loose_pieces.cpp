@@ -13,6 +13,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace posture {
 namespace {
@@ -177,7 +178,7 @@ class Placing {
     return claimed;
   }
 
-  /// That of the mapped main surface around the vertex of it that is nearest to the piece.
+  /// That of the main surface around the vertex of it that is nearest to the piece.
   std::optional<Rigid> motionBeside(const std::vector<int>& piece) const {
     const int nearest = *std::min_element(piece.begin(), piece.end(), [&](int a, int b) {
       return source_.clean.offset[a] < source_.clean.offset[b];
@@ -186,10 +187,14 @@ class Placing {
     const Eigen::RowVector3d center =
         all.row(source_.clean.input_vertex[source_.clean.clean_vertex[nearest]]);
     const double radius = SURROUNDINGS * size_ / result_.scale;
-    std::vector<int> around;
+    // Places of vertices that have a counterpart say more than those of others.
+    std::vector<int> around, mapped;
     for (int v : main_.vertex)
-      if (result_.correspondence.on_target[v].vertex >= 0 && (all.row(v) - center).norm() < radius)
+      if ((all.row(v) - center).norm() < radius) {
         around.push_back(v);
+        if (result_.correspondence.on_target[v].vertex >= 0) mapped.push_back(v);
+      }
+    if (mapped.size() >= LEAST_NEIGHBORS) around = std::move(mapped);
     if (around.size() < LEAST_NEIGHBORS) return std::nullopt;
     return bestRigid(result_.scale * all(around, Eigen::all), result_.deformed(around, Eigen::all));
   }

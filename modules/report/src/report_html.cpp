@@ -145,6 +145,27 @@ std::string shapes(const RegistrationResult& result, const RunDescription& run) 
   const auto count = [&](const std::string& name, int source, int target) {
     add(name, std::to_string(source), std::to_string(target));
   };
+  if (result.source_scan || result.target_scan) {
+    const auto scanRow = [&](const std::string& name, int ReconstructionSummary::*member) {
+      const auto cell = [&](const std::optional<ScanSurface>& scan) {
+        return scan ? std::to_string(scan->summary.*member) : std::string("a mesh");
+      };
+      add(name, cell(result.source_scan), cell(result.target_scan));
+    };
+    scanRow("Points", &ReconstructionSummary::points);
+    scanRow("Missing points", &ReconstructionSummary::missing);
+    scanRow("Outliers", &ReconstructionSummary::outliers);
+    const auto warnings = [](const std::optional<ScanSurface>& scan) {
+      std::string text;
+      if (scan)
+        for (const std::string& warning : scan->summary.warnings)
+          text += (text.empty() ? "" : "; ") + warning;
+      return text;
+    };
+    add("Doubts about the surface laid through them",
+        warnings(result.source_scan),
+        warnings(result.target_scan));
+  }
   count("Vertices", a.vertices, b.vertices);
   count("Faces", a.faces, b.faces);
   count(

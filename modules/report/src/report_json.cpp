@@ -29,8 +29,35 @@ Json describe(const CleaningSummary& cleaning) {
           {"loose_vertices", cleaning.loose_vertices}};
 }
 
-Json describe(const std::string& file, const ShapeSummary& shape) {
+Json describe(const ReconstructionSummary& s) {
+  return {{"points", s.points},
+          {"missing", s.missing},
+          {"repeated", s.repeated},
+          {"outliers", s.outliers},
+          {"dropped_pieces", s.dropped_pieces},
+          {"spacing", number(s.spacing)},
+          {"noise", number(s.noise)},
+          {"mesh_spacing", number(s.mesh_spacing)},
+          {"averaged", s.averaged},
+          {"vertices", s.vertices},
+          {"faces", s.faces},
+          {"components", s.components},
+          {"boundary_loops", s.boundary_loops},
+          {"boundary_length", number(s.boundary_length)},
+          {"thin_share", number(s.thin)},
+          {"contacts", s.contacts},
+          {"double_walls", s.double_walls},
+          {"oriented_by_sensor", s.oriented_by_sensor},
+          {"oriented_by_normals", s.oriented_by_normals},
+          {"warnings", s.warnings}};
+}
+
+/// \param scan  what was found on the way from points to the mesh; null for a mesh.
+Json describe(const std::string& file,
+              const ShapeSummary& shape,
+              const std::optional<ScanSurface>& scan) {
   return {{"file", file},
+          {"scan", scan ? describe(scan->summary) : Json(nullptr)},
           {"vertices", shape.vertices},
           {"faces", shape.faces},
           {"cleaning", describe(shape.cleaning)},
@@ -130,6 +157,10 @@ Json describeRun(const RegistrationResult& result, const RunDescription& run) {
 
 }  // namespace
 
+std::string reconstructionJson(const ReconstructionSummary& summary) {
+  return describe(summary).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 double runnerUpRatio(const RegistrationResult& result) {
   const double none = std::nan("");
   if (result.chosen < 0 || result.chosen >= static_cast<int>(result.hypotheses.size())) return none;
@@ -145,8 +176,8 @@ std::string reportJson(const RegistrationResult& result, const RunDescription& r
   const Json report = {{"status", result.status == Status::REGISTERED ? "registered" : "undecided"},
                        {"message", result.message},
                        {"trust", describeTrust(result)},
-                       {"source", describe(run.source, result.source)},
-                       {"target", describe(run.target, result.target)},
+                       {"source", describe(run.source, result.source, result.source_scan)},
+                       {"target", describe(run.target, result.target, result.target_scan)},
                        {"scale_source_to_target", number(result.scale)},
                        {"consistency_threshold_c0", number(result.consistency_threshold)},
                        {"chosen", result.chosen < 0 ? Json(nullptr) : Json(result.chosen)},

@@ -24,6 +24,9 @@ struct RunDescription {
 /// memory, threads.
 std::string reportJson(const RegistrationResult& result, const RunDescription& run);
 
+/// The same of a surface laid through points, as an object of its own.
+std::string reconstructionJson(const ReconstructionSummary& summary);
+
 /// How much worse the second least deformed candidate is than the chosen one: its E_D divided by
 /// the chosen one's. Near 1 the two can hardly be told apart; infinity or NaN: there is no other.
 double runnerUpRatio(const RegistrationResult& result);

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Writes the list that the trust figure is measured on: the benchmark's pairs and pairs of shapes
-that have nothing to do with each other, among them a sphere, an ellipsoid, a blob and noise.
+"""Writes the list that bench/RESULTS.md is made of: the benchmark's pairs, scans to be measured on
+the clean shapes behind them; cats, horses and centaurs as points, their faces taken away; and pairs
+of shapes that have nothing to do with each other, among them a sphere, an ellipsoid, a blob and
+noise.
 
-    bench/trust_list.py BENCHMARK_FOLDER OUT_FOLDER
+    bench/result_list.py BENCHMARK_FOLDER OUT_FOLDER
     posture benchmark OUT_FOLDER/pairs.csv -o RESULTS
 """
 import csv
@@ -46,6 +48,23 @@ def write(path, radius):
             out.write("3 %d %d %d\n" % face)
 
 
+def vertices_of(path):
+    with open(path) as lines:
+        if path.endswith(".obj"):
+            return [line.split()[1:4] for line in lines if line.startswith("v ")]
+        words = lines.read().split()
+        return [words[4 + 3 * i:7 + 3 * i] for i in range(int(words[1]))]
+
+
+def as_points(path, out):
+    """The vertices of an OBJ or OFF file alone."""
+    name = os.path.splitext(os.path.basename(path))[0] + ".xyz"
+    with open(os.path.join(out, name), "w") as points:
+        for vertex in vertices_of(path):
+            points.write(" ".join(vertex) + "\n")
+    return os.path.abspath(os.path.join(out, name))
+
+
 def main(benchmark, out):
     random.seed(5)
     os.makedirs(out, exist_ok=True)
@@ -78,13 +97,23 @@ def main(benchmark, out):
     with open(os.path.join(benchmark, "pairs.csv")) as listed:
         rows = list(csv.DictReader(listed))
     with open(os.path.join(out, "pairs.csv"), "w", newline="") as listed:
-        table = csv.DictWriter(listed, rows[0].keys())
+        table = csv.DictWriter(listed, list(rows[0].keys()) + ["target_surface"])
         table.writeheader()
         for row in rows:
             for key in ("source", "target", "truth", "mirror_truth"):
                 if row[key] not in ("", "identity"):
                     row[key] = os.path.abspath(os.path.join(benchmark, row[key]))
+            if row["family"] == "scans":
+                # scan-<source>-<target>, in the frame of the clean shape <target>
+                row["target_surface"] = os.path.abspath(os.path.join(
+                    benchmark, "meshes", "large", row["id"].split("-")[2] + ".ply"))
             table.writerow(row)
+        for row in rows:
+            if row["family"] in ("cat", "horse", "centaur"):
+                table.writerow(dict(row, id="points-" + row["id"], family="points-" + row["family"],
+                                    kind="points", source=as_points(row["source"], out),
+                                    target=as_points(row["target"], out),
+                                    target_surface=row["target"], note="vertices alone"))
         for number, (source, target) in enumerate(unrelated):
             table.writerow({"id": "unrelated-%02d" % number, "family": "unrelated",
                             "kind": "unrelated", "source": source, "target": target})
