@@ -15,18 +15,25 @@ namespace {
 constexpr int FULL_ROUNDS = 5;
 
 /// Vertices that come to lie where the target has no surface: the match is the rim of a hole, more
-/// than an edge away, or the nearest surface looks the other way.
+/// than an edge away, or the surface around the vertex looks the other way than what it lies on.
 std::vector<char> overHoles(const BendableSurface& source,
                             const BendableSurface& target,
                             const BentPair& pair) {
+  const int n = static_cast<int>(pair.maps.forward.size());
   const double edge = meanEdgeLength(target.mesh);
   const Points normals = vertexNormals({pair.bent_a, source.mesh.faces});
-  std::vector<char> over(pair.maps.forward.size(), 0);
-  for (int v = 0; v < static_cast<int>(over.size()); ++v) {
+  Vector agreement(n);
+  for (int v = 0; v < n; ++v)
+    agreement[v] = normals.row(v).dot(target.normals.row(pair.maps.forward[v]));
+  std::vector<char> over(n, 0);
+  for (int v = 0; v < n; ++v) {
     const int t = pair.maps.forward[v];
+    double around = agreement[v];
+    for (const int* w = source.neighbors.begin(v); w != source.neighbors.end(v); ++w)
+      around += agreement[*w];
     const bool beyond_rim = target.on_boundary[t] && !source.on_boundary[v] &&
                             (pair.bent_a.row(v) - target.mesh.vertices.row(t)).norm() > edge;
-    over[v] = beyond_rim || normals.row(v).dot(target.normals.row(t)) < 0;
+    over[v] = beyond_rim || around < 0;
   }
   return over;
 }
