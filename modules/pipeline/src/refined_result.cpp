@@ -20,18 +20,20 @@ std::vector<char> overHoles(const BendableSurface& source,
                             const BendableSurface& target,
                             const BentPair& pair) {
   const int n = static_cast<int>(pair.maps.forward.size());
+  std::vector<char> over(n, 0);
+  const auto& rim = target.on_boundary;
+  if (std::find(rim.begin(), rim.end(), 1) == rim.end()) return over;  // nothing is missing there
   const double edge = meanEdgeLength(target.mesh);
   const Points normals = vertexNormals({pair.bent_a, source.mesh.faces});
   Vector agreement(n);
   for (int v = 0; v < n; ++v)
     agreement[v] = normals.row(v).dot(target.normals.row(pair.maps.forward[v]));
-  std::vector<char> over(n, 0);
   for (int v = 0; v < n; ++v) {
     const int t = pair.maps.forward[v];
     double around = agreement[v];
     for (const int* w = source.neighbors.begin(v); w != source.neighbors.end(v); ++w)
       around += agreement[*w];
-    const bool beyond_rim = target.on_boundary[t] && !source.on_boundary[v] &&
+    const bool beyond_rim = rim[t] && !source.on_boundary[v] &&
                             (pair.bent_a.row(v) - target.mesh.vertices.row(t)).norm() > edge;
     over[v] = beyond_rim || around < 0;
   }
