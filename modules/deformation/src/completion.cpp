@@ -32,8 +32,13 @@ constexpr double FIRST_STIFFNESS = 10;
 constexpr double FARTHEST = 2;
 
 constexpr int COARSE = 5000;  // vertices
-/// How often places are looked for, and steps of the solver in between; fewer after a coarse level.
-constexpr int FULL_ROUNDS = 8, FULL_STEPS = 4, FINE_ROUNDS = 4, FINE_STEPS = 2;
+/// How often places are looked for; fewer after a coarse level.
+constexpr int FULL_ROUNDS = 6, FINE_ROUNDS = 4;
+/// Of the solver after each.
+constexpr int STEPS = 2;
+/// Of the trust region, which is kept from round to round. The solver's own start is the largest,
+/// and most of its first steps are found too long.
+constexpr double FIRST_RADIUS = 10, LARGEST_RADIUS = 1e4;
 
 /// What is known of one vertex.
 struct Match {
@@ -72,13 +77,13 @@ class Level {
           matches_[v].vertex >= 0 ? matches_[v].vertex : target_.nearestVertex(places_.row(v));
   }
 
-  void settle(int rounds, int steps) {
+  void settle(int rounds) {
     for (int round = 0; round < rounds; ++round) {
       const double left = std::max(0.0, 1 - 2.0 * round / rounds);
       stiffness_ = 1 + left * (FIRST_STIFFNESS - 1);
       findPlaces();
       weighMatches();
-      minimise(steps);
+      minimise();
     }
     findPlaces();
   }
@@ -182,7 +187,7 @@ class Level {
     }
   }
 
-  void minimise(int steps) {
+  void minimise() {
     ceres::Problem problem;
     const auto at = [&](int v) { return places_.row(v).data(); };
     for (const StiffEdge& e : stiff_)
@@ -214,13 +219,16 @@ class Level {
     options.preconditioner_type = ceres::JACOBI;
     options.eta = 0.1;
     options.max_linear_solver_iterations = 200;
-    options.max_num_iterations = steps;
+    options.max_num_iterations = STEPS;
+    options.initial_trust_region_radius = radius_;
+    options.max_trust_region_radius = LARGEST_RADIUS;
     options.function_tolerance = 1e-4;
     options.num_threads = 1;  // sums in one order
     options.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
     iterations_ += static_cast<int>(summary.iterations.size()) - 1;
+    radius_ = summary.iterations.back().trust_region_radius;
   }
 
   const TriangleMesh& rest_;
@@ -234,7 +242,7 @@ class Level {
   const TargetSurface& target_;
   std::vector<SurfacePlace> on_target_;
   int iterations_ = 0;
-  double stiffness_ = 1;
+  double stiffness_ = 1, radius_ = FIRST_RADIUS;
 };
 
 /// Noise makes edges longer: both shapes are smoothed alike before their edges are compared.
@@ -312,12 +320,12 @@ Completion completeDeformation(const TriangleMesh& source,
       reduced_known.push_back(known[reduced.vertex[i]]);
     }
     Level level(reduced.mesh, std::move(reduced_places), std::move(reduced_known), surface);
-    level.settle(FULL_ROUNDS, FULL_STEPS);
+    level.settle(FULL_ROUNDS);
     places = applyDeformation(reduced.mesh, level.places(), rest.vertices);
     level.report(completion);
   }
   Level level(rest, std::move(places), std::move(known), surface);
-  level.settle(coarse_first ? FINE_ROUNDS : FULL_ROUNDS, coarse_first ? FINE_STEPS : FULL_STEPS);
+  level.settle(coarse_first ? FINE_ROUNDS : FULL_ROUNDS);
   level.report(completion);
   completion.places = (unit * level.places()).rowwise() + centre;
   return completion;
