@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <posture/core/correspondence.h>
 #include <posture/mesh/clean_mesh.h>
 #include <posture/pipeline/register_shapes.h>
 
@@ -17,6 +18,9 @@ struct GivenShape {
 
 /// What cleaning tells of a side; samples and stress are left to the method.
 ShapeSummary summarize(const GivenShape& shape);
+
+/// Where a place on a mesh is. \param place  of some vertex.
+Eigen::RowVector3d positionOf(const TriangleMesh& mesh, const SurfacePoint& place);
 
 /// A map between clean vertices in the numbering of the input; loose vertices go where the vertex
 /// they follow goes. -1 stays -1.

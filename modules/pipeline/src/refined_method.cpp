@@ -12,6 +12,8 @@
 #include "refined_result.h"
 #include "refined_shape.h"
 #include "verdict.h"
+#include "way_back.h"
+#include "whole_source.h"
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -141,7 +143,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   clock.show([&] { return refinedPictures(source, target, best); });
 
   // All vertices, to a fraction of an edge.
-  clock.stage("full resolution", 0.1, [&] {
+  const FullMap full = clock.stage("full resolution", 0.1, [&] {
     const VertexMaps& winner = finalists[best.finalist].maps;
     for (int i : distinct) {
       if (static_cast<int>(result.alternatives.size()) >= MOST_ALTERNATIVES) break;
@@ -154,19 +156,33 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
     result.chosen = nearestAnswer(result.alternatives);
     result.score = best.score.total();
     result.trust = trustIn(result);
-    const FullMap full = toFullResolution(source, target, best);
-    result.correspondence =
-        correspondenceOf(source_given, source, target_given, full, result.trust);
+    FullMap map = toFullResolution(source, target, best);
+    result.correspondence = correspondenceOf(source_given, source, target_given, map, result.trust);
+    return map;
+  });
+
+  // Every vertex of the source a place, as isometric as the target allows (section 6.2).
+  clock.stage("completion", 0.1, [&] {
+    const TriangleMesh scaled = rescaled(source, best.scale).full;
+    const std::vector<char> known(full.places.size(), 1);
     result.deformed =
         target_pose.outOf(placesOfInput(source_given,
-                                        rescaled(source, best.scale).full,
-                                        std::vector<char>(full.places.size(), 1),
-                                        full.pair.bent_a,
+                                        scaled,
+                                        known,
+                                        placesOfWhole(scaled, target.full, full),
                                         source_pose.into(source_given.input.vertices)));
     placeLoosePieces(source_given, target_given, result);
     giveVerdict(result);
     return 0;
   });
+  if (options.both_ways)
+    clock.stage("way back", 0.0, [&] {
+      result.back = wayBack({source_given, rescaled(source, best.scale), source_pose},
+                            {target_given, target, target_pose},
+                            full,
+                            result);
+      return 0;
+    });
   if (options.refine_alternatives)
     clock.stage("alternatives", 0.0, [&] {
       for (std::size_t k = 0; k < result.alternatives.size(); ++k) {

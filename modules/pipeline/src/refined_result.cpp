@@ -85,18 +85,6 @@ class GivenFaces {
   std::map<Corners, int> faces_;
 };
 
-/// In (0, 1]: whether the way there and back ends where it began.
-Vector roundTripConfidence(const TriangleMesh& source, const VertexMaps& maps) {
-  const double edge = meanEdgeLength(source);
-  Vector confidence(maps.forward.size());
-  for (int v = 0; v < confidence.size(); ++v) {
-    const int back = maps.backward[maps.forward[v]];
-    const double miss = (source.vertices.row(v) - source.vertices.row(back)).norm() / (2 * edge);
-    confidence[v] = 1 / (1 + miss * miss);
-  }
-  return confidence;
-}
-
 }  // namespace
 
 FullMap toFullResolution(const RefinedShape& given_source,
@@ -117,6 +105,27 @@ FullMap toFullResolution(const RefinedShape& given_source,
   map.places = placesOnFaces(a, b, softness, map.pair);
   map.without_partner = overHoles(a, b, map.pair);
   return map;
+}
+
+FullMap reversed(const RefinedShape& source, const RefinedShape& target, const FullMap& map) {
+  const BendableSurface a(target.full), b(source.full);
+  const double softness = settlingSoftness(source.basis.eigenvalues, target.basis.eigenvalues);
+  FullMap back;
+  back.pair = {{map.pair.maps.backward, map.pair.maps.forward}, map.pair.bent_b, map.pair.bent_a};
+  back.places = placesOnFaces(a, b, softness, back.pair);
+  back.without_partner = overHoles(a, b, back.pair);
+  return back;
+}
+
+Vector roundTripConfidence(const TriangleMesh& source, const VertexMaps& maps) {
+  const double edge = meanEdgeLength(source);
+  Vector confidence(maps.forward.size());
+  for (int v = 0; v < confidence.size(); ++v) {
+    const int back = maps.backward[maps.forward[v]];
+    const double miss = (source.vertices.row(v) - source.vertices.row(back)).norm() / (2 * edge);
+    confidence[v] = 1 / (1 + miss * miss);
+  }
+  return confidence;
 }
 
 Correspondence correspondenceOf(const GivenShape& source,

@@ -20,6 +20,12 @@ FullMap toFullResolution(const RefinedShape& source,
                          const RefinedShape& target,
                          const RefinedMap& map);
 
+/// The same map from the target to the source. \param source  scaled to the target.
+FullMap reversed(const RefinedShape& source, const RefinedShape& target, const FullMap& map);
+
+/// n, in (0, 1]: whether the way there and back ends where it began.
+Vector roundTripConfidence(const TriangleMesh& source, const VertexMaps& maps);
+
 /// A full map in terms of the vertices and faces as they were given.
 /// \param trust  in the whole map: each point is trusted so much at most.
 Correspondence correspondenceOf(const GivenShape& source,

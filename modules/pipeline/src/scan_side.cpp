@@ -7,6 +7,7 @@
 #include <posture/mesh/nearest_in_triangle.h>
 #include <posture/mesh/point_index.h>
 
+#include "given_shape.h"
 #include "verdict.h"
 #include <limits>
 #include <tuple>
@@ -27,14 +28,6 @@ class FacesAround {
  private:
   std::vector<std::vector<int>> at_;
 };
-
-Eigen::RowVector3d positionOf(const TriangleMesh& mesh, const SurfacePoint& place) {
-  if (place.face < 0) return mesh.vertices.row(place.vertex);
-  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-  for (int k = 0; k < 3; ++k)
-    sum += place.barycentric[k] * mesh.vertices.row(mesh.faces(place.face, k));
-  return sum;
-}
 
 /// Where points of a source surface's faces lie on the target, from where its vertices do.
 class Between {
@@ -136,6 +129,20 @@ std::vector<int> perPoint(const ScanSurface& scan, const std::vector<int>& targe
   return points;
 }
 
+/// A map between surfaces as one between the shapes they were laid through.
+Correspondence betweenShapes(const SideSurface& from,
+                             const SideSurface& to,
+                             const PointCloud& to_cloud,
+                             Correspondence map) {
+  if (from.scan) map = perPoint(*from.scan, from.mesh, to.mesh, map);
+  if (to.scan) {
+    const CloudPoints points(to_cloud, *to.scan);
+    for (SurfacePoint& place : map.on_target)
+      if (place.vertex >= 0) place.vertex = points.nearest(positionOf(to.mesh, place));
+  }
+  return map;
+}
+
 /// Missing points stay so.
 Points movedPoints(const TriangleMesh& surface, const Points& deformed, const PointCloud& cloud) {
   std::vector<int> seen;
@@ -175,20 +182,19 @@ void referToPoints(const Shape& source,
   for (HypothesisSummary& hypothesis : result.hypotheses)
     vertex_maps.push_back(&hypothesis.target_vertex);
 
+  for (Correspondence* map : maps)
+    *map = betweenShapes(source_surface, target_surface, target.cloud, std::move(*map));
+  if (result.back)
+    result.back->correspondence = betweenShapes(
+        target_surface, source_surface, source.cloud, std::move(result.back->correspondence));
   if (source_surface.scan) {
     const ScanSurface& scan = *source_surface.scan;
-    for (Correspondence* map : maps)
-      *map = perPoint(scan, source_surface.mesh, target_surface.mesh, *map);
     for (std::vector<int>* map : vertex_maps) *map = perPoint(scan, *map);
     result.surface_deformed = std::move(result.deformed);
     result.deformed = movedPoints(source_surface.mesh, result.surface_deformed, source.cloud);
   }
   if (target_surface.scan) {
     const CloudPoints points(target.cloud, *target_surface.scan);
-    for (Correspondence* map : maps)
-      for (SurfacePoint& place : map->on_target)
-        if (place.vertex >= 0)
-          place.vertex = points.nearest(positionOf(target_surface.mesh, place));
     std::vector<int> point_at(target_surface.mesh.vertices.rows());
     for (int v = 0; v < static_cast<int>(point_at.size()); ++v)
       point_at[v] = points.nearest(target_surface.mesh.vertices.row(v));

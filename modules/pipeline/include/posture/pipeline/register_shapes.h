@@ -25,6 +25,7 @@ struct RegistrationOptions {
   Method method = Method::REFINED;
   /// REFINED: also take the answers that were not chosen to full precision.
   bool refine_alternatives = false;
+  bool both_ways = false;  ///< REFINED: also the way back, from the target to the source
   /// How a surface is laid through the points of a cloud.
   SurfaceMethod surface = SurfaceMethod::TANGENT_DELAUNAY;
 };
@@ -82,11 +83,20 @@ struct ShapeSummary {
   double stress = 0;  ///< of the canonical form: sqrt(sum w (d - delta)^2 / sum w delta^2)
 };
 
+/// The map from the target to the source, found together with the one there.
+struct WayBack {
+  Correspondence correspondence;  ///< one row per target vertex (point) as given
+  /// Of source vertices on the main surface that have both ways: how far from the vertex the way
+  /// there and back ends, straight, over the square root of the source's area.
+  double mean_miss = 0, percentile_95_miss = 0;
+};
+
 struct RegistrationResult {
   Status status = Status::UNDECIDED;
   std::string message;
   Correspondence correspondence;
   Points deformed;  ///< n x 3: the source's vertices (points), as given, moved onto the target
+  std::optional<WayBack> back;                   ///< if asked for
   std::vector<HypothesisSummary> hypotheses;     ///< PAPER
   std::vector<AlternativeSummary> alternatives;  ///< REFINED, by increasing score
   int chosen = -1;                               ///< index into hypotheses or alternatives
