@@ -42,6 +42,7 @@ int run(int argc, char** argv) {
     if (common.threads > 0) omp_set_num_threads(common.threads);
   });
   addRegister(app, common);
+  addApply(app, common);
   addReconstruct(app, common);
   addEvaluate(app, common);
   addBenchmark(app, common);

@@ -21,6 +21,7 @@ inline constexpr int EXIT_INPUT = 3;
 
 /// Each adds its verb to `app`; the verb's callback does the work and sets common.exit_code.
 void addRegister(CLI::App& app, Common& common);
+void addApply(CLI::App& app, Common& common);
 void addReconstruct(CLI::App& app, Common& common);
 void addEvaluate(CLI::App& app, Common& common);
 void addBenchmark(CLI::App& app, Common& common);

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/deformation/apply_deformation.h>
+#include <posture/io/mesh_io.h>
+#include <posture/io/shape_io.h>
+#include <posture/mesh/clean_mesh.h>
+
+#include <nlohmann/json.hpp>
+
+#include "verbs.h"
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <vector>
+
+namespace posture::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct ApplyOptions {
+  fs::path folder, points, output;
+};
+
+/// A surface and where its vertices went.
+struct StoredDeformation {
+  TriangleMesh source;
+  Points deformed;
+};
+
+TriangleMesh readPart(const fs::path& path) {
+  if (!fs::exists(path))
+    throw InputError(path.string() + ": missing; no complete result of register");
+  return readMesh(path).mesh;
+}
+
+/// Facets that do not share vertices are joined; what is in no face is left out.
+StoredDeformation joined(const TriangleMesh& source, const Points& deformed) {
+  const CleanMesh clean = cleanMesh(source);
+  std::vector<int> number(source.vertices.rows(), -1), kept;
+  StoredDeformation stored;
+  stored.source.faces = source.faces;
+  for (int i = 0; i < source.faces.size(); ++i) {
+    int v = source.faces.data()[i];
+    if (!(clean.offset[v] > 0)) v = clean.input_vertex[clean.clean_vertex[v]];
+    if (number[v] < 0) {
+      number[v] = static_cast<int>(kept.size());
+      kept.push_back(v);
+    }
+    stored.source.faces.data()[i] = number[v];
+  }
+  stored.source.vertices = source.vertices(kept, Eigen::all);
+  stored.deformed = deformed(kept, Eigen::all);
+  return stored;
+}
+
+/// What a folder that `register` wrote says about its deformation.
+StoredDeformation readDeformation(const fs::path& folder) {
+  const fs::path report_path = folder / "report.json";
+  std::ifstream file(report_path);
+  const Json report = Json::parse(file, nullptr, false);
+  if (!report.is_object() || !report.contains("files"))
+    throw InputError(report_path.string() + ": missing or damaged; no complete result of register");
+  const bool of_cloud = report["files"].contains("registered_surface.ply");
+  const fs::path rest_path = folder / (of_cloud ? "source_surface.ply" : "source_colored.ply");
+  const fs::path moved_path = folder / (of_cloud ? "registered_surface.ply" : "registered.ply");
+  const TriangleMesh rest = readPart(rest_path), moved = readPart(moved_path);
+  if (rest.vertices.rows() != moved.vertices.rows())
+    throw InputError(moved_path.string() + ": does not go with " + rest_path.filename().string());
+  try {
+    return joined(rest, moved.vertices);
+  } catch (const InputError& error) {
+    throw InputError(rest_path.string() + ": " + error.what());
+  }
+}
+
+void applyVerb(const ApplyOptions& options, const Common& common) {
+  const StoredDeformation stored = readDeformation(options.folder);
+  Shape shape = readShape(options.points);
+  std::vector<int> seen;
+  for (int i = 0; i < shape.cloud.points.rows(); ++i)
+    if (shape.cloud.points.row(i).allFinite()) seen.push_back(i);
+  const Points moved =
+      applyDeformation(stored.source, stored.deformed, shape.cloud.points(seen, Eigen::all));
+  shape.cloud.points(seen, Eigen::all) = moved;
+  shape.cloud.normals.resize(0, 3);  // they turned with the surface
+  shape.cloud.sensor.reset();
+  if (shape.faces.rows() > 0)
+    writeMesh(options.output, {shape.cloud.points, shape.faces}, shape.cloud.colors);
+  else
+    writePointCloud(options.output, shape.cloud);
+  if (common.json)
+    std::printf("%s\n", Json{{"points", seen.size()}}.dump().c_str());
+  else if (!common.quiet)
+    std::printf("%zu points moved\n", seen.size());
+}
+
+}  // namespace
+
+void addApply(CLI::App& app, Common& common) {
+  auto options = std::make_shared<ApplyOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "apply", "Take points or a mesh near SOURCE through the deformation that register found");
+  verb->add_option("DIR", options->folder, "Folder that register wrote")->required();
+  verb->add_option("POINTS", options->points, "Points or a mesh, in the frame and unit of SOURCE")
+      ->required();
+  verb->add_option("-o,--output",
+                   options->output,
+                   "The same, moved: PLY, OBJ or OFF for a mesh; PLY, PCD or XYZ for points")
+      ->required();
+  verb->callback([options, &common] { applyVerb(*options, common); });
+}
+
+}  // namespace posture::app

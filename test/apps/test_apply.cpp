@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/io/mesh_io.h>
+#include <posture/io/shape_io.h>
+#include <posture/mesh/normals.h>
+#include <posture/synthesis/articulated_body.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/program.h"
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+namespace posture {
+namespace {
+
+using test::ProgramRun;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+namespace fs = std::filesystem;
+
+const std::string POSTURE = std::string(PROGRAM_DIR) + "/posture";
+
+ArticulatedBody body(int pose) {
+  BodyOptions options;
+  options.vertices = 1000;
+  options.pose = pose;
+  return makeBody(options);
+}
+
+/// A result of register for a mesh, and one for the same body as a cloud.
+class Apply : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<TemporaryFolder>();
+    const TriangleMesh source = body(0).mesh;
+    writeMesh(at("source.ply"), source);
+    writeMesh(at("target.ply"), body(2).mesh);
+    writeCloud("cloud.xyz", source.vertices);
+    for (const std::string name : {"source.ply", "cloud.xyz"}) {
+      const ProgramRun ended = test::run(
+          POSTURE, {"register", at(name), at("target.ply"), "-o", at("of-" + name), "-q"});
+      ASSERT_LE(ended.exit_code, 1) << ended.err;
+    }
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  static std::string at(const std::string& name) { return *folder_ / name; }
+
+  static void writeCloud(const std::string& name, const Points& points) {
+    PointCloud cloud;
+    cloud.points = points;
+    writePointCloud(at(name), cloud);
+  }
+
+  static ProgramRun apply(const std::string& folder,
+                          const std::string& points,
+                          const std::string& output) {
+    return test::run(POSTURE, {"apply", at(folder), at(points), "-o", at(output)});
+  }
+
+  static inline std::unique_ptr<TemporaryFolder> folder_;
+};
+
+TEST_F(Apply, takesTheSourceWhereRegisterTookIt) {
+  const ProgramRun ended = apply("of-source.ply", "source.ply", "moved.ply");
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const MeshFile moved = readMesh(at("moved.ply")),
+                 registered = readMesh(at("of-source.ply") + "/registered.ply");
+  EXPECT_EQ(moved.mesh.faces, registered.mesh.faces);
+  EXPECT_EQ(moved.mesh.vertices, registered.mesh.vertices);
+}
+
+TEST_F(Apply, takesThePointsOfACloudWhereRegisterTookThem) {
+  const ProgramRun ended = apply("of-cloud.xyz", "cloud.xyz", "moved.xyz");
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const Points moved = readShape(at("moved.xyz")).cloud.points,
+               registered = readShape(at("of-cloud.xyz") + "/registered.ply").cloud.points;
+  ASSERT_EQ(moved.rows(), registered.rows());
+  EXPECT_LT((moved - registered).rowwise().norm().maxCoeff(), 1e-6);
+}
+
+TEST_F(Apply, keepsMarkersAboveTheirPlaceOnTheSurface) {
+  const TriangleMesh source = body(0).mesh;
+  const TriangleMesh registered = readMesh(at("of-source.ply") + "/registered.ply").mesh;
+  const double height = 0.002;  // of a body of about 1
+  writeCloud("markers.xyz", source.vertices + height * vertexNormals(source));
+  const ProgramRun ended = apply("of-source.ply", "markers.xyz", "markers-moved.xyz");
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const Points moved = readShape(at("markers-moved.xyz")).cloud.points;
+  ASSERT_EQ(moved.rows(), source.vertices.rows());
+  const Points expected = registered.vertices + height * vertexNormals(registered);
+  EXPECT_LT((moved - expected).rowwise().norm().mean(), height / 2);
+}
+
+TEST_F(Apply, joinsFacetsThatShareNoVertices) {
+  fs::create_directory(at("soup"));
+  for (const char* name : {"source_colored.ply", "registered.ply"}) {
+    const TriangleMesh whole = readMesh(at("of-source.ply") + "/" + name).mesh;
+    TriangleMesh soup{Points(whole.faces.size(), 3), Faces(whole.faces.rows(), 3)};
+    for (int i = 0; i < whole.faces.size(); ++i) {
+      soup.vertices.row(i) = whole.vertices.row(whole.faces.data()[i]);
+      soup.faces.data()[i] = i;
+    }
+    writeMesh(at("soup") + "/" + name, soup);
+  }
+  fs::copy(at("of-source.ply") + "/report.json", at("soup"));
+  writeCloud("near.xyz", body(0).mesh.vertices.array() + 0.003);
+  ASSERT_EQ(apply("soup", "near.xyz", "by-soup.xyz").exit_code, 0);
+  ASSERT_EQ(apply("of-source.ply", "near.xyz", "by-mesh.xyz").exit_code, 0);
+  const Points soup = readShape(at("by-soup.xyz")).cloud.points,
+               mesh = readShape(at("by-mesh.xyz")).cloud.points;
+  EXPECT_LT((soup - mesh).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST_F(Apply, namesWhatIsMissingInOneLine) {
+  for (const std::string missing : {"report.json", "registered.ply", "source_colored.ply"}) {
+    const std::string part = "without-" + missing;
+    fs::copy(at("of-source.ply"), at(part));
+    fs::remove(at(part) + "/" + missing);
+    const ProgramRun ended = apply(part, "source.ply", "never.ply");
+    EXPECT_EQ(ended.exit_code, 3);
+    EXPECT_TRUE(test::saidWhyInOneLine(ended)) << ended.out << ended.err;
+    EXPECT_THAT(ended.err, HasSubstr(missing));
+  }
+  EXPECT_EQ(apply("nowhere", "source.ply", "never.ply").exit_code, 3);
+  EXPECT_EQ(apply("of-source.ply", "nowhere.ply", "never.ply").exit_code, 3);
+  EXPECT_FALSE(fs::exists(at("never.ply")));
+}
+
+}  // namespace
+}  // namespace posture
