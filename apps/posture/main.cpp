@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
   addRegister(app, common);
   addApply(app, common);
   addReconstruct(app, common);
+  addSegment(app, common);
   addEvaluate(app, common);
   addBenchmark(app, common);
   addSynthesize(app, common);

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/core/error.h>
 #include <posture/io/shape_io.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/report/report_html.h>
@@ -8,6 +7,7 @@
 
 #include "folder.h"
 #include "progress.h"
+#include "register_files.h"
 #include "result_files.h"
 #include "stage_dump.h"
 #include "surface_option.h"
@@ -25,30 +25,9 @@ namespace fs = std::filesystem;
 
 struct RegisterOptions {
   fs::path source, target, folder, dump;
-  bool paper = false, alternatives = false;
+  bool paper = false, alternatives = false, both = false;
   SurfaceMethod surface = SurfaceMethod::TANGENT_DELAUNAY;
 };
-
-/// The pipeline speaks of "source" and "target"; the user knows the files.
-RegistrationResult registerFiles(const RegisterOptions& options,
-                                 const Shape& source,
-                                 const Shape& target,
-                                 const Observer& observer) {
-  try {
-    RegistrationOptions registration;
-    registration.method = options.paper ? Method::PAPER : Method::REFINED;
-    registration.refine_alternatives = options.alternatives;
-    registration.surface = options.surface;
-    return registerShapes(source, target, registration, observer);
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    for (const auto& [side, file] :
-         {std::pair("source ", &options.source), std::pair("target ", &options.target)})
-      if (message.rfind(side, 0) == 0)
-        throw InputError(file->string() + ": " + message.substr(std::string(side).size()));
-    throw;
-  }
-}
 
 RunDescription describe(const RegisterOptions& options,
                         const RegistrationResult& result,
@@ -67,20 +46,26 @@ void registerVerb(const RegisterOptions& options, Common& common) {
   const auto start = std::chrono::steady_clock::now();
   ProgressBar bar(common.quiet);
   bar.show("reading", 0);
-  const Shape source = readShape(options.source), target = readShape(options.target);
+  const ShapeFile source{options.source, readShape(options.source)},
+      target{options.target, readShape(options.target)};
   makeFolder(options.folder);
   checkWritable(options.folder / "report.json");  // now, not after minutes
   std::optional<StageDump> dump;
   if (!options.dump.empty()) dump.emplace(options.dump);
+  RegistrationOptions registration;
+  registration.method = options.paper ? Method::PAPER : Method::REFINED;
+  registration.refine_alternatives = options.alternatives;
+  registration.both_ways = options.both;
+  registration.surface = options.surface;
   const RegistrationResult result =
-      registerFiles(options, source, target, [&](const StageEvent& event) {
+      registerFiles(source, target, registration, [&](const StageEvent& event) {
         bar.show(event.stage, event.progress);
         if (dump) dump->write(event);
       });
   bar.show("writing", 1);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   const RunDescription run = describe(options, result, elapsed.count());
-  writeResultFiles(options.folder, source, target, result);
+  writeResultFiles(options.folder, source.shape, target.shape, result);
   writeText(options.folder / "report.json", reportJson(result, run));
   writeText(options.folder / "report.html", reportHtml(result, run));
   bar.clear();
@@ -114,6 +99,10 @@ void addRegister(CLI::App& app, Common& common) {
   verb->add_flag("--alternatives",
                  options->alternatives,
                  "Also write the different answers that were not chosen: alternative-1.csv, ...")
+      ->excludes("--paper");
+  verb->add_flag("--both",
+                 options->both,
+                 "Also write the way back, from TARGET to SOURCE: correspondence_back.csv")
       ->excludes("--paper");
   addSurfaceOption(verb, options->surface);
   verb->add_option("--dump", options->dump, "Folder for every stage's result as PLY files");

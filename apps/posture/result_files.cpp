@@ -25,7 +25,10 @@ Colors colorsOf(const Points& points) {
   return colors;
 }
 
-/// A mesh stays a mesh, a cloud a cloud.
+std::string alternativeName(std::size_t k) { return "alternative-" + std::to_string(k); }
+
+}  // namespace
+
 void writeColored(const fs::path& path,
                   const Points& points,
                   const Faces& faces,
@@ -40,7 +43,6 @@ void writeColored(const fs::path& path,
   writePointCloud(path, cloud);
 }
 
-/// The target's vertices or points in the colours of what lies there.
 Colors targetColors(const Colors& colors,
                     const Correspondence& map,
                     const Shape& target,
@@ -57,16 +59,17 @@ Colors targetColors(const Colors& colors,
   return of_points;
 }
 
-std::string alternativeName(std::size_t k) { return "alternative-" + std::to_string(k); }
-
-}  // namespace
-
 std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationResult& result) {
   std::vector<std::pair<std::string, std::string>> files = {
       {"correspondence.csv", "for each source vertex (point) its place on the target"},
       {"registered.ply", "the source, moved onto the target"},
       {"source_colored.ply", "the source, one colour a place; grey: no counterpart"},
       {"target_colored.ply", "the target, in the colours of its counterparts"}};
+  if (result.status == Status::REGISTERED)
+    files.emplace_back("segments.ply", "the source, one colour for what moves almost rigidly");
+  if (result.back)
+    files.emplace_back("correspondence_back.csv",
+                       "for each target vertex (point) its place on the source");
   for (const auto& [side, scan] :
        {std::pair("source", &result.source_scan), std::pair("target", &result.target_scan)}) {
     if (!*scan) continue;
@@ -94,6 +97,13 @@ void writeSurfaceLink(const fs::path& path, const ScanSurface& surface) {
   file.commit();
 }
 
+Colors writeSegments(const fs::path& path, const Shape& shape, const ShapeSegments& segments) {
+  const Colors colors =
+      partColors(segments.label, partPalette(segments.parts.label, segments.surface.mesh.faces));
+  writeColored(path, shape.cloud.points, shape.faces, colors);
+  return colors;
+}
+
 void writeResultFiles(const fs::path& folder,
                       const Shape& source,
                       const Shape& target,
@@ -106,6 +116,10 @@ void writeResultFiles(const fs::path& folder,
                  targetColors(colors, map, target, result.target_scan));
   };
   writeCorrespondence(folder / "correspondence.csv", result.correspondence);
+  if (result.status == Status::REGISTERED)
+    writeSegments(folder / "segments.ply", source, segmentShape(source, {result}));
+  if (result.back)
+    writeCorrespondence(folder / "correspondence_back.csv", result.back->correspondence);
   writeColored(folder / "registered.ply", result.deformed, source.faces, colors);
   writeColored(folder / "source_colored.ply",
                source.cloud.points,

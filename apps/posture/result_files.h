@@ -4,8 +4,10 @@
 
 #include <posture/core/point_cloud.h>
 #include <posture/pipeline/register_shapes.h>
+#include <posture/pipeline/segment_shape.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +23,24 @@ void writeResultFiles(const std::filesystem::path& folder,
                       const Shape& source,
                       const Shape& target,
                       const RegistrationResult& result);
+
+/// A mesh stays a mesh, a cloud a cloud.
+void writeColored(const std::filesystem::path& path,
+                  const Points& points,
+                  const Faces& faces,
+                  const Colors& colors);
+
+/// The shape in the colours of its parts, which are returned: one a vertex (point).
+Colors writeSegments(const std::filesystem::path& path,
+                     const Shape& shape,
+                     const ShapeSegments& segments);
+
+/// The target's vertices or points in the colours of what lies there.
+/// \param colors  one a vertex (point) of the source.
+Colors targetColors(const Colors& colors,
+                    const Correspondence& map,
+                    const Shape& target,
+                    const std::optional<ScanSurface>& scan);
 
 /// Rows `point,vertex,face,b0,b1,b2,offset`: where each point of a cloud lies on its surface.
 void writeSurfaceLink(const std::filesystem::path& path, const ScanSurface& surface);

@@ -23,6 +23,7 @@ inline constexpr int EXIT_INPUT = 3;
 void addRegister(CLI::App& app, Common& common);
 void addApply(CLI::App& app, Common& common);
 void addReconstruct(CLI::App& app, Common& common);
+void addSegment(CLI::App& app, Common& common);
 void addEvaluate(CLI::App& app, Common& common);
 void addBenchmark(CLI::App& app, Common& common);
 void addSynthesize(CLI::App& app, Common& common);

@@ -11,6 +11,7 @@
 #include "apps/program.h"
 #include "support/shapes.h"
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -34,6 +35,7 @@ const std::vector<std::string> RESULTS = {"correspondence.csv",
                                           "registered.ply",
                                           "report.html",
                                           "report.json",
+                                          "segments.ply",
                                           "source_colored.ply",
                                           "target_colored.ply"};
 
@@ -226,6 +228,36 @@ TEST_F(Register, anInterruptedRunLeavesWholeFilesOnly) {
   }
 }
 
+TEST_F(Register, findsTheWayBackOnRequest) {
+  const ProgramRun ended =
+      registerShapes({at("source.ply"), at("target.off"), "-o", at("both"), "--both", "-q"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(result("both", "correspondence.csv"), result("one", "correspondence.csv"));
+  const Points source = readMesh(at("source.ply")).mesh.vertices;
+  const Correspondence there = readCorrespondence(at("both") + "/correspondence.csv"),
+                       back = readCorrespondence(at("both") + "/correspondence_back.csv");
+  ASSERT_EQ(back.on_target.size(), readMesh(at("target.off")).mesh.vertices.rows());
+  const double size =
+      std::sqrt(report("both").at("source").at("main_surface").at("area").get<double>());
+  double sum = 0;
+  int count = 0;
+  for (Eigen::Index v = 0; v < source.rows() - 4; ++v) {
+    const int t = there.on_target[v].vertex;
+    if (t < 0 || back.on_target[t].vertex < 0) continue;
+    sum += (source.row(v) - source.row(back.on_target[t].vertex)).norm() / size;
+    ++count;
+  }
+  ASSERT_GT(count, source.rows() / 2);
+  const json agreement = report("both").at("trust").at("there_and_back");
+  // Between vertices it is off by up to an edge more than between places.
+  const double edge =
+      report("both").at("source").at("main_surface").at("mean_edge_length").get<double>() / size;
+  EXPECT_LT(agreement.at("mean_miss"), edge);
+  EXPECT_NEAR(agreement.at("mean_miss"), sum / count, edge);
+  EXPECT_GE(agreement.at("percentile_95_miss"), agreement.at("mean_miss"));
+  EXPECT_FALSE(report("one").at("trust").contains("there_and_back"));
+}
+
 TEST_F(Register, takesAShapeForItself) {
   const ProgramRun ended = registerShapes({at("target.off"), at("target.off"), "-o", at("self")});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
@@ -310,6 +342,7 @@ TEST_F(RegisterFails, onWrongUsage) {
   const std::string sound = folder_ / "sound.off", out = folder_ / "out";
   expectFailure({sound, sound}, 2, "--output");
   expectFailure({sound, "-o", out}, 2, "TARGET");
+  expectFailure({sound, sound, "-o", out, "--both", "--paper"}, 2, "--paper");
   expectFailure({sound, sound, "-o", out, "--nonsense"}, 2, "--nonsense");
   expectFailure({sound, sound, "-o", out, "--threads", "0"}, 2, "--threads");
 }

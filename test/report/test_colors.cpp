@@ -122,5 +122,33 @@ TEST(ErrorColors, fromDarkToBright) {
   EXPECT_THROW(errorColors(errors, 0), std::invalid_argument);
 }
 
+TEST(PartPalette, partsThatTouchDiffer) {
+  const TriangleMesh ball = test::sphere(4);
+  std::vector<int> label(ball.vertices.rows());
+  for (std::size_t v = 0; v < label.size(); ++v) {  // eight octants, of which three have no part
+    const auto at = ball.vertices.row(static_cast<Eigen::Index>(v));
+    label[v] = std::max(-1, (at[0] > 0) + 2 * (at[1] > 0) + 4 * (at[2] > 0) - 3);
+  }
+  const Colors palette = partPalette(label, ball.faces);
+  ASSERT_EQ(palette.rows(), 5);
+  for (Eigen::Index f = 0; f < ball.faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const int a = label[ball.faces(f, k)], b = label[ball.faces(f, (k + 1) % 3)];
+      if (a >= 0 && b >= 0 && a != b) {
+        EXPECT_GT(distance(palette, a, b), 60);
+      }
+    }
+  const Colors colors = partColors(label, palette);
+  for (std::size_t v = 0; v < label.size(); ++v) {
+    const auto row = colors.row(static_cast<Eigen::Index>(v));
+    if (label[v] < 0) {
+      EXPECT_TRUE((row.array() == REJECTED_GREY).all());
+    } else {
+      EXPECT_EQ(row, palette.row(label[v]));
+    }
+  }
+  EXPECT_THROW(partColors({5}, palette), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace posture

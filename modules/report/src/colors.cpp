@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace posture {
 namespace {
@@ -137,6 +139,56 @@ Colors transferColors(const Colors& source,
   for (Eigen::Index i = 0; i < source.rows(); ++i)
     if (target_vertex[i] >= 0) sums.add(target_vertex[i], 1, source, i);
   return sums.means();
+}
+
+Colors partPalette(const std::vector<int>& label, const Faces& faces) {
+  // Of the qualitative palettes of Harrower and Brewer (2003), paler ones last.
+  static constexpr std::array<std::array<std::uint8_t, 3>, 12> COLORS{{{31, 120, 180},
+                                                                       {255, 127, 0},
+                                                                       {51, 160, 44},
+                                                                       {227, 26, 28},
+                                                                       {106, 61, 154},
+                                                                       {255, 217, 47},
+                                                                       {166, 206, 227},
+                                                                       {177, 89, 40},
+                                                                       {178, 223, 138},
+                                                                       {251, 154, 153},
+                                                                       {202, 178, 214},
+                                                                       {27, 158, 119}}};
+  const int count =
+      label.empty() ? 0 : 1 + std::max(-1, *std::max_element(label.begin(), label.end()));
+  std::vector<std::set<int>> beside(count);
+  for (Eigen::Index f = 0; f < faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const int a = label[faces(f, k)], b = label[faces(f, (k + 1) % 3)];
+      if (a < 0 || b < 0 || a == b) continue;
+      beside[a].insert(b);
+      beside[b].insert(a);
+    }
+  std::vector<int> chosen(count, -1), uses(COLORS.size(), 0);
+  Colors palette(count, 3);
+  for (int part = 0; part < count; ++part) {
+    // Prefers what no neighbour has, then what was used least.
+    std::vector<int> clashes(COLORS.size(), 0);
+    for (int other : beside[part])
+      if (chosen[other] >= 0) ++clashes[chosen[other]];
+    int best = 0;
+    for (int c = 1; c < static_cast<int>(COLORS.size()); ++c)
+      if (std::pair(clashes[c], uses[c]) < std::pair(clashes[best], uses[best])) best = c;
+    chosen[part] = best;
+    ++uses[best];
+    for (int k = 0; k < 3; ++k) palette(part, k) = COLORS[best][k];
+  }
+  return palette;
+}
+
+Colors partColors(const std::vector<int>& label, const Colors& palette) {
+  Colors colors = Colors::Constant(static_cast<Eigen::Index>(label.size()), 3, REJECTED_GREY);
+  for (std::size_t v = 0; v < label.size(); ++v) {
+    require(label[v] < palette.rows(), "part " + std::to_string(label[v]) + " has no colour");
+    if (label[v] >= 0) colors.row(static_cast<Eigen::Index>(v)) = palette.row(label[v]);
+  }
+  return colors;
 }
 
 Colors errorColors(const Vector& errors, double largest) {

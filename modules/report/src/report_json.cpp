@@ -120,6 +120,9 @@ Json describeTrust(const RegistrationResult& result) {
     trust["trust"] = number(result.trust);
     trust["score"] = number(result.score);
   }
+  if (result.back)
+    trust["there_and_back"] = {{"mean_miss", number(result.back->mean_miss)},
+                               {"percentile_95_miss", number(result.back->percentile_95_miss)}};
   return trust;
 }
 

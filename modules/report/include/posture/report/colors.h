@@ -48,6 +48,14 @@ Colors transferColors(const Colors& source,
                       const std::vector<int>& target_vertex,
                       Eigen::Index target_vertices);
 
+/// One colour a part, strong and few, so that parts that touch differ and large ones are told apart
+/// best. \param label  n: part of each vertex, the largest first; -1: none.
+Colors partPalette(const std::vector<int>& label, const Faces& faces);
+
+/// Each vertex (point) in its part's colour; grey where it has none.
+/// \throws std::invalid_argument  a part without a colour.
+Colors partColors(const std::vector<int>& label, const Colors& palette);
+
 /// Dark blue for 0 by green to yellow for `largest` and beyond (viridis); grey for NaN.
 /// \throws std::invalid_argument  largest <= 0.
 Colors errorColors(const Vector& errors, double largest);

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/io/atomic_file.h>
+#include <posture/io/shape_io.h>
+#include <posture/pipeline/segment_shape.h>
+
+#include <nlohmann/json.hpp>
+
+#include "folder.h"
+#include "progress.h"
+#include "register_files.h"
+#include "result_files.h"
+#include "surface_option.h"
+#include "verbs.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace posture::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct SegmentOptions {
+  fs::path reference, folder;
+  std::vector<fs::path> poses;
+  SurfaceMethod surface = SurfaceMethod::TANGENT_DELAUNAY;
+};
+
+/// The poses that the reference was registered to, and those where the data did not decide.
+struct RegisteredPoses {
+  std::vector<ShapeFile> files;
+  std::vector<RegistrationResult> results;
+  std::vector<std::pair<fs::path, std::string>> left_out;  // with the reason
+};
+
+RegisteredPoses registerPoses(const SegmentOptions& options,
+                              const ShapeFile& reference,
+                              ProgressBar& bar) {
+  RegistrationOptions registration;
+  registration.surface = options.surface;
+  RegisteredPoses poses;
+  const double count = static_cast<double>(options.poses.size());
+  for (std::size_t k = 0; k < options.poses.size(); ++k) {
+    ShapeFile pose{options.poses[k], readShape(options.poses[k])};
+    RegistrationResult result =
+        registerFiles(reference, pose, registration, [&](const StageEvent& event) {
+          bar.show(event.stage, (static_cast<double>(k) + event.progress) / count);
+        });
+    if (result.status == Status::UNDECIDED) {
+      poses.left_out.emplace_back(options.poses[k], result.message);
+      continue;
+    }
+    poses.files.push_back(std::move(pose));
+    poses.results.push_back(std::move(result));
+  }
+  return poses;
+}
+
+std::string poseFile(std::size_t k) { return "pose-" + std::to_string(k + 1) + "_segments.ply"; }
+
+Json describeMotion(const Eigen::Isometry3d& motion, double residual) {
+  const Eigen::Matrix3d turn = motion.rotation();
+  const Eigen::Quaterniond q(turn);
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i) rows.push_back({turn(i, 0), turn(i, 1), turn(i, 2)});
+  const Eigen::Vector3d move = motion.translation();
+  return {{"rotation", std::move(rows)},
+          {"quaternion_wxyz", {q.w(), q.x(), q.y(), q.z()}},
+          {"translation", {move[0], move[1], move[2]}},
+          {"residual", residual}};
+}
+
+Json describe(const SegmentOptions& options,
+              const RegisteredPoses& poses,
+              const ShapeSegments& segments) {
+  constexpr double DEGREES = 180 / 3.14159265358979323846;
+  const RigidSegments& parts = segments.parts;
+  Json list = Json::array();
+  for (int part = 0; part < parts.count; ++part)
+    list.push_back({{"part", part},
+                    {"vertices", std::count(segments.label.begin(), segments.label.end(), part)}});
+  Json motions = Json::array();
+  for (std::size_t k = 0; k < poses.files.size(); ++k) {
+    Json of_parts = Json::array();
+    for (int part = 0; part < parts.count; ++part)
+      of_parts.push_back(describeMotion(parts.motion[k][part], segments.residual[k][part]));
+    motions.push_back({{"file", poses.files[k].path.string()},
+                       {"colored", poseFile(k)},
+                       {"trust", poses.results[k].trust},
+                       {"scale", parts.scale[k]},
+                       {"motions", std::move(of_parts)}});
+  }
+  Json left_out = Json::array();
+  for (const auto& [path, reason] : poses.left_out)
+    left_out.push_back({{"file", path.string()}, {"reason", reason}});
+  return {{"reference", options.reference.string()},
+          {"count", parts.count},
+          {"least_turn_degrees", parts.least_turn * DEGREES},
+          {"parts", std::move(list)},
+          {"poses", std::move(motions)},
+          {"left_out", std::move(left_out)}};
+}
+
+void writeLabels(const fs::path& path, const std::vector<int>& label) {
+  AtomicFile file(path);
+  file.stream().imbue(std::locale::classic());
+  file.stream() << "vertex,part\n";
+  for (std::size_t v = 0; v < label.size(); ++v) file.stream() << v << ',' << label[v] << '\n';
+  file.commit();
+}
+
+void segmentVerb(const SegmentOptions& options, Common& common) {
+  ProgressBar bar(common.quiet);
+  bar.show("reading", 0);
+  const ShapeFile reference{options.reference, readShape(options.reference)};
+  makeFolder(options.folder);
+  checkWritable(options.folder / "segments.json");  // now, not after minutes
+  const RegisteredPoses poses = registerPoses(options, reference, bar);
+  bar.clear();
+  if (!poses.left_out.empty()) {
+    common.exit_code = EXIT_UNDECIDED;
+    const auto& [path, reason] = poses.left_out.front();
+    std::fprintf(stderr, "posture: %s: %s\n", path.c_str(), reason.c_str());
+  }
+  if (poses.results.empty()) return;
+
+  const ShapeSegments segments = segmentShape(reference.shape, poses.results);
+  const Colors colors = writeSegments(options.folder / "segments.ply", reference.shape, segments);
+  writeLabels(options.folder / "segments.csv", segments.label);
+  for (std::size_t k = 0; k < poses.files.size(); ++k) {
+    const Shape& pose = poses.files[k].shape;
+    writeColored(
+        options.folder / poseFile(k),
+        pose.cloud.points,
+        pose.faces,
+        targetColors(colors, poses.results[k].correspondence, pose, poses.results[k].target_scan));
+  }
+  const std::string described = describe(options, poses, segments).dump(1) + "\n";
+  writeText(options.folder / "segments.json", described);
+  if (common.json)
+    std::printf("%s", described.c_str());
+  else if (!common.quiet)
+    std::printf("%d parts that move almost rigidly over %zu %s\n",
+                segments.parts.count,
+                poses.files.size(),
+                poses.files.size() == 1 ? "pose" : "poses");
+}
+
+}  // namespace
+
+void addSegment(CLI::App& app, Common& common) {
+  auto options = std::make_shared<SegmentOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "segment", "Divide REF into the parts that move almost rigidly to all the poses");
+  verb->add_option("REF", options->reference, "Mesh or points, as for register")->required();
+  verb->add_option("POSE", options->poses, "The same body in other poses: one or more")->required();
+  verb->add_option("-o,--output", options->folder, "Folder for the results")->required();
+  addSurfaceOption(verb, options->surface);
+  verb->callback([options, &common] { segmentVerb(*options, common); });
+}
+
+}  // namespace posture::app
