@@ -85,6 +85,32 @@ TEST(RegisterShapes, isOnTheRightSideAndExactToAnEdge) {
   EXPECT_LT(meanError(verticesOf(result.correspondence), truth, result, target.mesh), edge);
 }
 
+TEST(RegisterShapes, theWholeSourceLiesOnTheTargetAndKeepsItsLengths) {
+  const TriangleMesh source = body(0).mesh, target = body(2, 1).mesh;
+  RegistrationOptions options;
+  options.both_ways = true;
+  const RegistrationResult result = registerShapes(source, target, options);
+  ASSERT_EQ(result.status, Status::REGISTERED) << result.message;
+  double stretch = 0;
+  for (int f = 0; f < source.faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const int a = source.faces(f, k), b = source.faces(f, (k + 1) % 3);
+      const double before = (source.vertices.row(a) - source.vertices.row(b)).norm();
+      const double after = (result.deformed.row(a) - result.deformed.row(b)).norm();
+      stretch += std::abs(after / (result.scale * before) - 1);
+    }
+  EXPECT_LT(stretch / static_cast<double>(source.faces.size()), 0.05);
+  std::vector<double> off;
+  for (int v = 0; v < source.vertices.rows(); ++v)
+    off.push_back((target.vertices.rowwise() - result.deformed.row(v)).rowwise().norm().minCoeff());
+  std::nth_element(off.begin(), off.begin() + off.size() / 2, off.end());
+  EXPECT_LT(off[off.size() / 2], 0.5 * result.target.mean_edge_length);
+
+  ASSERT_TRUE(result.back.has_value());
+  EXPECT_EQ(result.back->correspondence.on_target.size(), target.vertices.rows());
+  EXPECT_LT(result.back->mean_miss * std::sqrt(result.source.area), result.source.mean_edge_length);
+}
+
 TEST(RegisterShapes, theBestAnswerIsChosenAndTheOthersDiffer) {
   RegistrationOptions options;
   options.refine_alternatives = true;
