@@ -26,7 +26,7 @@ constexpr int CANDIDATE_BASIS = 36;
 /// The low start mends limbs turned inside out, the high one keeps those a low one would twist.
 const std::vector<std::vector<int>> STARTS{{12, 24, 36, 48, 60}, {30, 40, 50, 60}};
 
-const std::vector<int> FINE_SIZES{40, 55, 70, 85, 100, 115, 130, 145, 160, 175, 190};
+const std::vector<int> FINE_SIZES{40, 58, 76, 95, 114, 133, 152, 171, 190};
 
 /// A soft surface slides far, a stiff one keeps what is known: which of the two ways down is better
 /// depends on how isometric the pair is, and the score tells.

@@ -26,7 +26,7 @@ struct BendableSurface {
 };
 
 /// Places between which distances are compared: all pairs of so many.
-constexpr int DISTANCE_SAMPLES = 100;
+constexpr int DISTANCE_SAMPLES = 80;
 
 /// A surface with its smoothest functions.
 struct SpectralSurface : BendableSurface {
