@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 source scripts/setup.sh
 
 install_packages
-build posture posture-render posture_poisson
+build posture posture-render
 
 posture=build/release/apps/posture/posture
 scans=data/scans
