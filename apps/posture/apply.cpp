@@ -88,6 +88,7 @@ void applyVerb(const ApplyOptions& options, const Common& common) {
   shape.cloud.points(seen, Eigen::all) = moved;
   shape.cloud.normals.resize(0, 3);  // they turned with the surface
   shape.cloud.sensor.reset();
+  shape.cloud.width = 0;  // what is bent is no depth image
   if (shape.faces.rows() > 0)
     writeMesh(options.output, {shape.cloud.points, shape.faces}, shape.cloud.colors);
   else

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/io/shape_io.h>
 #include <posture/pipeline/register_shapes.h>
+#include <posture/pipeline/segment_shape.h>
 #include <posture/report/report_html.h>
 #include <posture/report/report_json.h>
 
@@ -62,10 +63,12 @@ void registerVerb(const RegisterOptions& options, Common& common) {
         bar.show(event.stage, event.progress);
         if (dump) dump->write(event);
       });
+  std::optional<ShapeSegments> segments;
+  if (result.status == Status::REGISTERED) segments = segmentShape(source.shape, {result});
   bar.show("writing", 1);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   const RunDescription run = describe(options, result, elapsed.count());
-  writeResultFiles(options.folder, source.shape, target.shape, result);
+  writeResultFiles(options.folder, source.shape, target.shape, result, segments);
   writeText(options.folder / "report.json", reportJson(result, run));
   writeText(options.folder / "report.html", reportHtml(result, run));
   bar.clear();

@@ -107,7 +107,8 @@ Colors writeSegments(const fs::path& path, const Shape& shape, const ShapeSegmen
 void writeResultFiles(const fs::path& folder,
                       const Shape& source,
                       const Shape& target,
-                      const RegistrationResult& result) {
+                      const RegistrationResult& result,
+                      const std::optional<ShapeSegments>& segments) {
   const Colors colors = colorsOf(source.cloud.points);
   const auto writeTarget = [&](const std::string& name, const Correspondence& map) {
     writeColored(folder / name,
@@ -116,8 +117,7 @@ void writeResultFiles(const fs::path& folder,
                  targetColors(colors, map, target, result.target_scan));
   };
   writeCorrespondence(folder / "correspondence.csv", result.correspondence);
-  if (result.status == Status::REGISTERED)
-    writeSegments(folder / "segments.ply", source, segmentShape(source, {result}));
+  if (segments) writeSegments(folder / "segments.ply", source, *segments);
   if (result.back)
     writeCorrespondence(folder / "correspondence_back.csv", result.back->correspondence);
   writeColored(folder / "registered.ply", result.deformed, source.faces, colors);

@@ -18,11 +18,13 @@ namespace posture::app {
 std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationResult& result);
 
 /// The correspondence, the deformed source, both shapes in colours, the surfaces laid through
-/// clouds, and the alternatives that were taken to full precision.
+/// clouds, the near-rigid parts where there are any, and the alternatives that were taken to full
+/// precision.
 void writeResultFiles(const std::filesystem::path& folder,
                       const Shape& source,
                       const Shape& target,
-                      const RegistrationResult& result);
+                      const RegistrationResult& result,
+                      const std::optional<ShapeSegments>& segments);
 
 /// A mesh stays a mesh, a cloud a cloud.
 void writeColored(const std::filesystem::path& path,

@@ -39,19 +39,20 @@ struct RegisteredPoses {
 
 RegisteredPoses registerPoses(const SegmentOptions& options,
                               const ShapeFile& reference,
+                              std::vector<ShapeFile> files,
                               ProgressBar& bar) {
   RegistrationOptions registration;
   registration.surface = options.surface;
   RegisteredPoses poses;
-  const double count = static_cast<double>(options.poses.size());
-  for (std::size_t k = 0; k < options.poses.size(); ++k) {
-    ShapeFile pose{options.poses[k], readShape(options.poses[k])};
+  const double count = static_cast<double>(files.size());
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    ShapeFile& pose = files[k];
     RegistrationResult result =
         registerFiles(reference, pose, registration, [&](const StageEvent& event) {
           bar.show(event.stage, (static_cast<double>(k) + event.progress) / count);
         });
     if (result.status == Status::UNDECIDED) {
-      poses.left_out.emplace_back(options.poses[k], result.message);
+      poses.left_out.emplace_back(pose.path, result.message);
       continue;
     }
     poses.files.push_back(std::move(pose));
@@ -117,9 +118,11 @@ void segmentVerb(const SegmentOptions& options, Common& common) {
   ProgressBar bar(common.quiet);
   bar.show("reading", 0);
   const ShapeFile reference{options.reference, readShape(options.reference)};
+  std::vector<ShapeFile> files;
+  for (const fs::path& path : options.poses) files.push_back({path, readShape(path)});
   makeFolder(options.folder);
   checkWritable(options.folder / "segments.json");  // now, not after minutes
-  const RegisteredPoses poses = registerPoses(options, reference, bar);
+  const RegisteredPoses poses = registerPoses(options, reference, std::move(files), bar);
   bar.clear();
   if (!poses.left_out.empty()) {
     common.exit_code = EXIT_UNDECIDED;
@@ -129,6 +132,8 @@ void segmentVerb(const SegmentOptions& options, Common& common) {
   if (poses.results.empty()) return;
 
   const ShapeSegments segments = segmentShape(reference.shape, poses.results);
+  const std::string described =
+      describe(options, poses, segments).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
   const Colors colors = writeSegments(options.folder / "segments.ply", reference.shape, segments);
   writeLabels(options.folder / "segments.csv", segments.label);
   for (std::size_t k = 0; k < poses.files.size(); ++k) {
@@ -139,7 +144,6 @@ void segmentVerb(const SegmentOptions& options, Common& common) {
         pose.faces,
         targetColors(colors, poses.results[k].correspondence, pose, poses.results[k].target_scan));
   }
-  const std::string described = describe(options, poses, segments).dump(1) + "\n";
   writeText(options.folder / "segments.json", described);
   if (common.json)
     std::printf("%s", described.c_str());

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -30,6 +31,9 @@ constexpr double MOST = 0.6;
 
 constexpr int STEPS = 30;
 constexpr std::size_t LEAST_NEIGHBORS = 6;
+
+/// Fewer vertices have no motion of their own: they stay with the vertex next to them.
+constexpr std::size_t LEAST_PIECE = 3;
 
 struct Rigid {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -68,8 +72,12 @@ std::vector<std::vector<int>> loosePieces(const GivenShape& shape) {
     b = root(b);
     parent[std::max(a, b)] = std::min(a, b);
   };
+  const auto loose = [&](int v) { return shape.clean.offset[v] > 0; };
   for (int f = 0; f < shape.input.faces.rows(); ++f)
-    for (int k = 1; k < 3; ++k) join(shape.input.faces(f, 0), shape.input.faces(f, k));
+    for (int k = 0; k < 3; ++k) {
+      const int a = shape.input.faces(f, k), b = shape.input.faces(f, (k + 1) % 3);
+      if (loose(a) && loose(b)) join(a, b);
+    }
   std::vector<int> by_place(n);
   std::iota(by_place.begin(), by_place.end(), 0);
   const auto before = [&](int a, int b) {
@@ -86,7 +94,7 @@ std::vector<std::vector<int>> loosePieces(const GivenShape& shape) {
   std::vector<int> number(n, -1);
   std::vector<std::vector<int>> pieces;
   for (int v = 0; v < n; ++v) {
-    if (!(shape.clean.offset[v] > 0)) continue;
+    if (!loose(v)) continue;
     int& piece = number[root(v)];
     if (piece < 0) {
       piece = static_cast<int>(pieces.size());
@@ -140,6 +148,7 @@ class Placing {
         main_(source.input.vertices, source.clean) {}
 
   void place(const std::vector<int>& piece) {
+    if (piece.size() < LEAST_PIECE) return placeSingly(piece);
     const Points rest = result_.scale * source_.input.vertices(piece, Eigen::all);
     const Points normals = source_normals_(piece, Eigen::all);
     const std::optional<Rigid> beside = motionBeside(piece);
@@ -152,6 +161,22 @@ class Placing {
   }
 
  private:
+  void placeSingly(const std::vector<int>& vertices) {
+    for (int v : vertices) {
+      const TargetPart::Near near = whole_.nearest(result_.deformed.row(v));
+      if (near.distance < ON_SURFACE * edge_)
+        match(v, near);
+      else
+        leaveOut({v});
+    }
+  }
+
+  void match(int v, const TargetPart::Near& near) {
+    const double miss = near.distance / (ON_SURFACE * edge_);
+    result_.correspondence.on_target[v] = atVertex(near.vertex);
+    result_.correspondence.confidence[v] = result_.trust / (1 + miss * miss);
+  }
+
   /// The source's main surface, for neighbours.
   struct Main {
     std::vector<int> vertex;
@@ -179,13 +204,15 @@ class Placing {
   }
 
   /// That of the main surface around the vertex of it that is nearest to the piece.
-  std::optional<Rigid> motionBeside(const std::vector<int>& piece) const {
+  std::optional<Rigid> motionBeside(const std::vector<int>& piece) {
     const int nearest = *std::min_element(piece.begin(), piece.end(), [&](int a, int b) {
       return source_.clean.offset[a] < source_.clean.offset[b];
     });
     const Points& all = source_.input.vertices;
-    const Eigen::RowVector3d center =
-        all.row(source_.clean.input_vertex[source_.clean.clean_vertex[nearest]]);
+    const int anchor = source_.clean.clean_vertex[nearest];
+    const auto known = motions_.find(anchor);
+    if (known != motions_.end()) return known->second;
+    const Eigen::RowVector3d center = all.row(source_.clean.input_vertex[anchor]);
     const double radius = SURROUNDINGS * size_ / result_.scale;
     // Places of vertices that have a counterpart say more than those of others.
     std::vector<int> around, mapped;
@@ -195,8 +222,11 @@ class Placing {
         if (result_.correspondence.on_target[v].vertex >= 0) mapped.push_back(v);
       }
     if (mapped.size() >= LEAST_NEIGHBORS) around = std::move(mapped);
-    if (around.size() < LEAST_NEIGHBORS) return std::nullopt;
-    return bestRigid(result_.scale * all(around, Eigen::all), result_.deformed(around, Eigen::all));
+    std::optional<Rigid>& motion = motions_[anchor];
+    if (around.size() >= LEAST_NEIGHBORS)
+      motion =
+          bestRigid(result_.scale * all(around, Eigen::all), result_.deformed(around, Eigen::all));
+    return motion;
   }
 
   bool agree(const Rigid& motion, const Eigen::RowVector3d& normal, int target_vertex) const {
@@ -251,12 +281,10 @@ class Placing {
     for (std::size_t i = 0; i < piece.size(); ++i) {
       const int row = static_cast<int>(i);
       const TargetPart::Near near = part.nearest(places.row(row));
-      const bool on =
-          near.distance < ON_SURFACE * edge_ && agree(motion, normals.row(row), near.vertex);
-      result_.correspondence.on_target[piece[i]] = {};
-      if (on) result_.correspondence.on_target[piece[i]] = atVertex(near.vertex);
-      const double miss = near.distance / (ON_SURFACE * edge_);
-      result_.correspondence.confidence[piece[i]] = on ? result_.trust / (1 + miss * miss) : 0;
+      if (near.distance < ON_SURFACE * edge_ && agree(motion, normals.row(row), near.vertex))
+        match(piece[i], near);
+      else
+        leaveOut({piece[i]});
     }
   }
 
@@ -283,6 +311,7 @@ class Placing {
   std::vector<int> target_face_;
   TargetPart whole_, free_;
   Main main_;
+  std::map<int, std::optional<Rigid>> motions_;  // by the vertex next to the piece
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "functional_map.h"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace posture {
 namespace {
@@ -121,7 +122,10 @@ double MapScore::total() const {
   constexpr double LEAST = 1e-4;
   double sum = std::log(USUAL_MISS + return_miss);
   for (double term : {bending, curvature, distortion}) sum += std::log(std::max(LEAST, term));
-  return sum;
+  // std::max hides what is no number.
+  return std::isfinite(bending + curvature + distortion + return_miss)
+             ? sum
+             : std::numeric_limits<double>::infinity();
 }
 
 MapScore scoreMaps(const SpectralSurface& a, const SpectralSurface& b, const VertexMaps& maps) {
