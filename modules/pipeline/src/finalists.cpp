@@ -259,6 +259,7 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
     RefinedMap& map = refined[i];
     map.finalist = i / static_cast<int>(STIFFENINGS.size());
     map.scale = finalists[map.finalist]->scale;
+    map.laid = finalists[map.finalist]->bent.has_value();
     map.pair = starts[map.finalist];
     const SpectralSurface& work = *source_work[map.finalist];
     const double softness = settlingSoftness(work.eigenvalues, target_work.eigenvalues);

@@ -58,8 +58,9 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
 
 /// A map between the work meshes with what speaks against it.
 struct RefinedMap {
-  int finalist = 0;  ///< index of the one it was made of
-  double scale = 1;  ///< what the source was multiplied by for it
+  int finalist = 0;   ///< index of the one it was made of
+  double scale = 1;   ///< what the source was multiplied by for it
+  bool laid = false;  ///< the two were laid over each other: much may be missing
   BentPair pair;
   MapScore score;
 };

@@ -23,6 +23,10 @@ namespace {
 /// how far the piece may have to go from there.
 constexpr double SURROUNDINGS = 0.15, REACH = 0.2;
 
+/// The same: a piece nowhere farther from the main surface - an eye, a button, a crumb - goes where
+/// the vertex next to it goes, when it does not find a better place.
+constexpr double BESIDE = 0.1;
+
 /// In mean edges of the target: what lies this near to its surface lies on it.
 constexpr double ON_SURFACE = 2;
 
@@ -157,16 +161,22 @@ class Placing {
     const Rigid drawn = drawnTo(free_, *beside, rest, normals);
     if (settled(drawn, rest, normals, free_)) return put(piece, drawn, rest, normals, free_);
     result_.deformed(piece, Eigen::all) = beside->of(rest);
-    leaveOut(piece);
+    if (!isBeside(piece)) leaveOut(piece);
   }
 
  private:
+  bool isBeside(const std::vector<int>& piece) const {
+    return std::all_of(piece.begin(), piece.end(), [&](int v) {
+      return result_.scale * source_.clean.offset[v] < BESIDE * size_;
+    });
+  }
+
   void placeSingly(const std::vector<int>& vertices) {
     for (int v : vertices) {
       const TargetPart::Near near = whole_.nearest(result_.deformed.row(v));
       if (near.distance < ON_SURFACE * edge_)
         match(v, near);
-      else
+      else if (!isBeside({v}))
         leaveOut({v});
     }
   }

@@ -14,30 +14,38 @@ namespace {
 
 constexpr int FULL_ROUNDS = 5;
 
-/// Vertices that come to lie where the target has no surface: the match is the rim of a hole, more
-/// than an edge away, or the surface around the vertex looks the other way than what it lies on.
+/// A vertex whose match is the rim of a hole, more than an edge from where the vertex lies.
 std::vector<char> overHoles(const BendableSurface& source,
                             const BendableSurface& target,
                             const BentPair& pair) {
-  const int n = static_cast<int>(pair.maps.forward.size());
-  std::vector<char> over(n, 0);
-  const auto& rim = target.on_boundary;
-  if (std::find(rim.begin(), rim.end(), 1) == rim.end()) return over;  // nothing is missing there
   const double edge = meanEdgeLength(target.mesh);
+  std::vector<char> over(pair.maps.forward.size(), 0);
+  for (std::size_t v = 0; v < over.size(); ++v) {
+    const int t = pair.maps.forward[v];
+    over[v] = target.on_boundary[t] && !source.on_boundary[v] &&
+              (pair.bent_a.row(v) - target.mesh.vertices.row(t)).norm() > edge;
+  }
+  return over;
+}
+
+/// Vertices around which the bent surface looks the other way than what it lies on: a back laid on
+/// the inside of a front, where only that was seen.
+std::vector<char> onTheInside(const BendableSurface& source,
+                              const BendableSurface& target,
+                              const BentPair& pair) {
+  const int n = static_cast<int>(pair.maps.forward.size());
   const Points normals = vertexNormals({pair.bent_a, source.mesh.faces});
   Vector agreement(n);
   for (int v = 0; v < n; ++v)
     agreement[v] = normals.row(v).dot(target.normals.row(pair.maps.forward[v]));
+  std::vector<char> inside(n);
   for (int v = 0; v < n; ++v) {
-    const int t = pair.maps.forward[v];
     double around = agreement[v];
     for (const int* w = source.neighbors.begin(v); w != source.neighbors.end(v); ++w)
       around += agreement[*w];
-    const bool beyond_rim = rim[t] && !source.on_boundary[v] &&
-                            (pair.bent_a.row(v) - target.mesh.vertices.row(t)).norm() > edge;
-    over[v] = beyond_rim || around < 0;
+    inside[v] = around < 0;
   }
-  return over;
+  return inside;
 }
 
 /// For faces of the main surface the face they were given as.
@@ -104,6 +112,10 @@ FullMap toFullResolution(const RefinedShape& given_source,
   settle(a, b, softness, FULL_ROUNDS, map.pair);
   map.places = placesOnFaces(a, b, softness, map.pair);
   map.without_partner = overHoles(a, b, map.pair);
+  if (refined.laid) {
+    const std::vector<char> inside = onTheInside(a, b, map.pair);
+    for (std::size_t v = 0; v < inside.size(); ++v) map.without_partner[v] |= inside[v];
+  }
   return map;
 }
 
