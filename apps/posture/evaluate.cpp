@@ -51,6 +51,8 @@ void checkMap(const EvaluateOptions& options, const Shape& target, std::vector<S
 
 Json measure(const EvaluateOptions& options) {
   const Shape target = readShape(options.target);
+  if (target.faces.rows() > 0 && !options.surface.empty())
+    throw CLI::ValidationError("--surface", "is for a target of points; this one has faces");
   const std::vector<SurfacePoint> map = readCorrespondence(options.map).on_target;
   checkMap(options, target, map);
   const int n = static_cast<int>(map.size()), m = static_cast<int>(target.cloud.points.rows());

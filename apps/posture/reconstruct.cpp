@@ -6,6 +6,7 @@
 #include <posture/report/report_json.h>
 #include <posture/scan/reconstruct.h>
 
+#include "folder.h"
 #include "result_files.h"
 #include "surface_option.h"
 #include "verbs.h"
@@ -35,6 +36,8 @@ ScanSurface reconstructFile(const ReconstructOptions& options) {
 }
 
 void reconstructVerb(const ReconstructOptions& options, const Common& common) {
+  checkWritable(options.mesh);  // now, not after the work
+  if (!options.link.empty()) checkWritable(options.link);
   const ScanSurface surface = reconstructFile(options);
   writeMesh(options.mesh, surface.mesh);
   if (!options.link.empty()) writeSurfaceLink(options.link, surface);

@@ -129,6 +129,10 @@ TEST_F(Evaluate, BadInputIsOneLine) {
 TEST_F(Evaluate, WrongUsageIsTwo) {
   EXPECT_EQ(evaluate("identity.csv", {}).exit_code, 2);
   EXPECT_EQ(evaluate("identity.csv", {"--truth", "identity", "--nonsense"}).exit_code, 2);
+  // A mesh is measured on itself.
+  EXPECT_EQ(evaluate("identity.csv", {"--truth", "identity", "--surface", folder_ / "target.off"})
+                .exit_code,
+            2);
 }
 
 }  // namespace

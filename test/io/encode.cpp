@@ -159,4 +159,20 @@ std::vector<EncodedMesh> encodeEveryWay(const TriangleMesh& mesh) {
   return files;
 }
 
+std::string damage(std::string bytes, Rng& rng) {
+  const auto place = [&] {
+    return static_cast<std::size_t>(rng.below(static_cast<int>(bytes.size())));
+  };
+  const int kind = rng.below(5);
+  if (kind == 0) bytes.resize(1 + place());
+  for (int i = rng.below(4); kind != 0 && i >= 0; --i) {
+    const std::size_t at = place();
+    if (kind == 1) bytes[at] = static_cast<char>(rng.below(256));
+    if (kind == 2) bytes[at] = static_cast<char>(bytes[at] ^ 1 << rng.below(8));
+    if (kind == 3) bytes.insert(at, bytes.substr(place(), 1 + place() % 40));
+    if (kind == 4) bytes[at] = "0123456789-. \n#"[rng.below(15)];
+  }
+  return bytes;
+}
+
 }  // namespace posture::test

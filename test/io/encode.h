@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <posture/core/rng.h>
 #include <posture/core/types.h>
 
 #include <cstring>
@@ -25,6 +26,9 @@ std::string raw(T value, bool big_endian = false) {
   std::memcpy(bytes.data(), &value, sizeof value);
   return big_endian ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
 }
+
+/// Cuts the end off, changes some bytes, moves a piece elsewhere or doubles a digit.
+std::string damage(std::string bytes, Rng& rng);
 
 /// Head of `title` padded to 80 bytes, then the facets with normal 0.
 std::string binaryStl(const TriangleMesh& mesh, const std::string& title);

@@ -18,23 +18,6 @@ using test::TemporaryFolder;
 
 constexpr int ROUNDS = 300;
 
-/// Cuts the end off, changes some bytes, moves a piece elsewhere or doubles a digit.
-std::string damage(std::string bytes, Rng& rng) {
-  const auto place = [&] {
-    return static_cast<std::size_t>(rng.below(static_cast<int>(bytes.size())));
-  };
-  const int kind = rng.below(5);
-  if (kind == 0) bytes.resize(1 + place());
-  for (int i = rng.below(4); kind != 0 && i >= 0; --i) {
-    const std::size_t at = place();
-    if (kind == 1) bytes[at] = static_cast<char>(rng.below(256));
-    if (kind == 2) bytes[at] = static_cast<char>(bytes[at] ^ 1 << rng.below(8));
-    if (kind == 3) bytes.insert(at, bytes.substr(place(), 1 + place() % 40));
-    if (kind == 4) bytes[at] = "0123456789-. \n#"[rng.below(15)];
-  }
-  return bytes;
-}
-
 /// Either a mesh that hangs together or an InputError of one line that names the file.
 void expectMeshOrInputError(const std::filesystem::path& path) {
   try {
@@ -75,7 +58,7 @@ TEST(DamagedMesh, isReadOrRefused) {
   Rng rng(1);
   for (const auto& [name, bytes] : samples())
     for (int round = 0; round < ROUNDS; ++round) {
-      const std::string damaged = damage(bytes, rng);
+      const std::string damaged = test::damage(bytes, rng);
       expectMeshOrInputError(folder.file(name, damaged));
       ASSERT_FALSE(HasFailure()) << name << " round " << round << ":\n" << damaged;
     }
@@ -114,9 +97,10 @@ TEST(DamagedTable, isReadOrRefused) {
   const std::string table =
       "source,target,face,b0,b1,b2,confidence\n0,7,3,0.1,0.7,0.2,0.5\n1,-1,-1,0,0,0,0\n";
   for (int round = 0; round < 2 * ROUNDS; ++round) {
-    const auto path = folder.file("c.csv", damage(table, rng));
+    const auto path = folder.file("c.csv", test::damage(table, rng));
     test::inputErrorOf([&] { readCorrespondence(path); });
-    test::inputErrorOf([&] { readVertexPairs(folder.file("p.txt", damage("0 1\n2 3\n", rng))); });
+    test::inputErrorOf(
+        [&] { readVertexPairs(folder.file("p.txt", test::damage("0 1\n2 3\n", rng))); });
   }
 }
 

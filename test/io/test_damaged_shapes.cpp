@@ -17,23 +17,6 @@ using test::TemporaryFolder;
 
 constexpr int ROUNDS = 300;
 
-/// Cuts the end off, changes some bytes, moves a piece elsewhere or doubles a digit.
-std::string damage(std::string bytes, Rng& rng) {
-  const auto place = [&] {
-    return static_cast<std::size_t>(rng.below(static_cast<int>(bytes.size())));
-  };
-  const int kind = rng.below(5);
-  if (kind == 0) bytes.resize(1 + place());
-  for (int i = rng.below(4); kind != 0 && i >= 0; --i) {
-    const std::size_t at = place();
-    if (kind == 1) bytes[at] = static_cast<char>(rng.below(256));
-    if (kind == 2) bytes[at] = static_cast<char>(bytes[at] ^ 1 << rng.below(8));
-    if (kind == 3) bytes.insert(at, bytes.substr(place(), 1 + place() % 40));
-    if (kind == 4) bytes[at] = "0123456789-. \n#"[rng.below(15)];
-  }
-  return bytes;
-}
-
 /// Either a shape that hangs together or an InputError of one line that names the file.
 void expectShapeOrInputError(const std::filesystem::path& path) {
   try {
@@ -80,7 +63,7 @@ TEST(DamagedShape, isReadOrRefused) {
   Rng rng(1);
   for (const auto& [name, bytes] : samples())
     for (int round = 0; round < ROUNDS; ++round) {
-      const std::string damaged = damage(bytes, rng);
+      const std::string damaged = test::damage(bytes, rng);
       expectShapeOrInputError(folder.file(name, damaged));
       ASSERT_FALSE(HasFailure()) << name << " round " << round << ":\n" << damaged;
     }

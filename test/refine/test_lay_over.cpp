@@ -127,6 +127,7 @@ TEST(Conform, bendsABodyOntoAnotherPose) {
   const auto miss = [&](const Points& places) {
     return (places - posed.vertices(pair.maps.forward, Eigen::all)).rowwise().norm().mean();
   };
+  // Far matches count little on purpose, so this goes part of the way; settling goes the rest.
   EXPECT_LT(error(pair.bent_a), error(laid));
   EXPECT_LT(miss(pair.bent_a), 0.7 * miss(laid));
   EXPECT_EQ(pair.maps.forward.size(), static_cast<std::size_t>(rest.vertices.rows()));

@@ -41,13 +41,6 @@ constexpr std::size_t MOST_MIXTURES = 8;
 /// Less is what the score of one map changes by from one bending to the next.
 constexpr double LEAST_GAIN = 0.1;
 
-Points imagesOf(const SpectralSurface& surface, const std::vector<int>& matches) {
-  Points images(matches.size(), 3);
-  for (std::size_t i = 0; i < matches.size(); ++i)
-    images.row(i) = surface.mesh.vertices.row(matches[i]);
-  return images;
-}
-
 /// Connected parts of the source where two maps lead to different places, at most half of it each.
 std::vector<std::vector<int>> differingParts(const SpectralSurface& source,
                                              const SpectralSurface& target,
@@ -102,7 +95,9 @@ BentPair sharpened(const Eigen::MatrixXf& coarse_functions,
                                             {maps.forward, maps.backward, 0},
                                             STARTS.front().back());
   const VertexMaps sharp = sharpen(source, target, FINE_SIZES, start);
-  return {sharp, imagesOf(target, sharp.forward), imagesOf(source, sharp.backward)};
+  return {sharp,
+          target.mesh.vertices(sharp.forward, Eigen::all),
+          source.mesh.vertices(sharp.backward, Eigen::all)};
 }
 
 template <class Scored>

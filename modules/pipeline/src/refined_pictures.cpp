@@ -5,17 +5,6 @@
 #include <string>
 
 namespace posture {
-namespace {
-
-Points placesOf(const SpectralSurface& surface, const std::vector<int>& matches) {
-  Points places(matches.size(), 3);
-  for (std::size_t v = 0; v < matches.size(); ++v)
-    places.row(v) = surface.mesh.vertices.row(matches[v]);
-  return places;
-}
-
-}  // namespace
-
 std::vector<StagePicture> samplePictures(const RefinedShape& source, const RefinedShape& target) {
   std::vector<StagePicture> pictures;
   for (const auto& [side, shape] : {std::pair("source", &source), std::pair("target", &target)}) {
@@ -42,7 +31,7 @@ std::vector<StagePicture> finalistPictures(const SpectralSurface& source,
   for (std::size_t i = 0; i < distinct.size(); ++i)
     pictures.push_back({"finalist-" + std::to_string(i) + "-target",
                         target.mesh,
-                        placesOf(source, finalists[distinct[i]].maps.backward),
+                        source.mesh.vertices(finalists[distinct[i]].maps.backward, Eigen::all),
                         {}});
   return pictures;
 }
@@ -54,7 +43,7 @@ std::vector<StagePicture> refinedPictures(const RefinedShape& given_source,
                         target = given_target.workSurface();
   return {
       {"refined-source", source.mesh, source.mesh.vertices, {}},
-      {"refined-target", target.mesh, placesOf(source, map.pair.maps.backward), {}},
+      {"refined-target", target.mesh, source.mesh.vertices(map.pair.maps.backward, Eigen::all), {}},
       {"source-bent-onto-target", {map.pair.bent_a, source.mesh.faces}, source.mesh.vertices, {}},
       {"target-bent-onto-source", {map.pair.bent_b, target.mesh.faces}, map.pair.bent_b, {}}};
 }

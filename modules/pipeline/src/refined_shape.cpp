@@ -23,12 +23,6 @@ constexpr int FUNCTIONS = 200;
 /// What tells a shape at all: each eigenfunction takes a few vertices.
 constexpr int LEAST_VERTICES = 20, VERTICES_PER_FUNCTION = 4;
 
-Matrix rowsAt(const Matrix& m, const std::vector<int>& rows) {
-  Matrix picked(rows.size(), m.cols());
-  for (std::size_t i = 0; i < rows.size(); ++i) picked.row(i) = m.row(rows[i]);
-  return picked;
-}
-
 }  // namespace
 
 SpectralSurface RefinedShape::workSurface() const {
@@ -36,11 +30,11 @@ SpectralSurface RefinedShape::workSurface() const {
 }
 
 SpectralSurface RefinedShape::coarseSurface() const {
-  return {coarse.mesh, rowsAt(basis.functions, coarse.vertex), basis.eigenvalues};
+  return {coarse.mesh, basis.functions(coarse.vertex, Eigen::all), basis.eigenvalues};
 }
 
 Eigen::MatrixXf RefinedShape::coarseFunctions() const {
-  return rowsAt(basis.functions, coarse.vertex).cast<float>();
+  return basis.functions(coarse.vertex, Eigen::all).cast<float>();
 }
 
 RefinedShape reduceSide(const std::string& side, const TriangleMesh& full) {
@@ -66,7 +60,7 @@ void addSamples(RefinedShape& shape) {
       computeLandmarks(shape.work.mesh, FastMarching(shape.work.mesh), SAMPLES);
   const CanonicalForm form = embedSamples(landmarks);
   shape.stress = form.stress;
-  shape.samples = {rowsAt(shape.basis.functions, landmarks.vertices).cast<float>(),
+  shape.samples = {shape.basis.functions(landmarks.vertices, Eigen::all).cast<float>(),
                    sampleDistances(landmarks),
                    landmarks.confidence.cast<double>(),
                    form.landmarks,
