@@ -4,7 +4,6 @@
 #include <posture/deformation/apply_deformation.h>
 #include <posture/io/mesh_io.h>
 #include <posture/io/shape_io.h>
-#include <posture/mesh/clean_mesh.h>
 
 #include <nlohmann/json.hpp>
 
@@ -25,40 +24,14 @@ struct ApplyOptions {
   fs::path folder, points, output;
 };
 
-/// A surface and where its vertices went.
-struct StoredDeformation {
-  TriangleMesh source;
-  Points deformed;
-};
-
 TriangleMesh readPart(const fs::path& path) {
   if (!fs::exists(path))
     throw InputError(path.string() + ": missing; no complete result of register");
   return readMesh(path).mesh;
 }
 
-/// Facets that do not share vertices are joined; what is in no face is left out.
-StoredDeformation joined(const TriangleMesh& source, const Points& deformed) {
-  const CleanMesh clean = cleanMesh(source);
-  std::vector<int> number(source.vertices.rows(), -1), kept;
-  StoredDeformation stored;
-  stored.source.faces = source.faces;
-  for (int i = 0; i < source.faces.size(); ++i) {
-    int v = source.faces.data()[i];
-    if (!(clean.offset[v] > 0)) v = clean.input_vertex[clean.clean_vertex[v]];
-    if (number[v] < 0) {
-      number[v] = static_cast<int>(kept.size());
-      kept.push_back(v);
-    }
-    stored.source.faces.data()[i] = number[v];
-  }
-  stored.source.vertices = source.vertices(kept, Eigen::all);
-  stored.deformed = deformed(kept, Eigen::all);
-  return stored;
-}
-
 /// What a folder that `register` wrote says about its deformation.
-StoredDeformation readDeformation(const fs::path& folder) {
+DeformedSurface readDeformation(const fs::path& folder) {
   const fs::path report_path = folder / "report.json";
   std::ifstream file(report_path);
   const Json report = Json::parse(file, nullptr, false);
@@ -71,20 +44,20 @@ StoredDeformation readDeformation(const fs::path& folder) {
   if (rest.vertices.rows() != moved.vertices.rows())
     throw InputError(moved_path.string() + ": does not go with " + rest_path.filename().string());
   try {
-    return joined(rest, moved.vertices);
+    return joinedSurface(rest, moved.vertices);
   } catch (const InputError& error) {
     throw InputError(rest_path.string() + ": " + error.what());
   }
 }
 
 void applyVerb(const ApplyOptions& options, const Common& common) {
-  const StoredDeformation stored = readDeformation(options.folder);
+  const DeformedSurface stored = readDeformation(options.folder);
   Shape shape = readShape(options.points);
   std::vector<int> seen;
   for (int i = 0; i < shape.cloud.points.rows(); ++i)
     if (shape.cloud.points.row(i).allFinite()) seen.push_back(i);
   const Points moved =
-      applyDeformation(stored.source, stored.deformed, shape.cloud.points(seen, Eigen::all));
+      applyDeformation(stored.rest, stored.deformed, shape.cloud.points(seen, Eigen::all));
   shape.cloud.points(seen, Eigen::all) = moved;
   shape.cloud.normals.resize(0, 3);  // they turned with the surface
   shape.cloud.sensor.reset();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/deformation/apply_deformation.h>
+#include <posture/mesh/normals.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -85,11 +86,48 @@ TEST(ApplyDeformation, scaleIsThatOfMostEdges) {
   EXPECT_EQ(deformationScale({mesh.vertices, Faces(0, 3)}, places), 1);
 }
 
+TEST(TurnDirections, turnsWithTheWholeAndKeepsLengths) {
+  const TriangleMesh mesh = test::sphere(2);
+  const Points points = 3 * test::randomPoints(200, 4), directions = test::randomPoints(200, 5);
+  const Points turned =
+      turnDirections(mesh, moved(mesh.vertices, similarity()), points, directions);
+  const Eigen::Matrix3d turn = similarity().rotation();
+  EXPECT_LT(gap(turned, directions * turn.transpose()), 1e-6);
+}
+
+TEST(TurnDirections, takesNormalsAlongABend) {
+  const double angle = 1.5;
+  const TriangleMesh coarse = test::grid(20, 10, 2, 1), dense = test::grid(83, 41, 2, 1);
+  const TriangleMesh bent = test::bentStrip(83, 41, 2, 1, angle);
+  const Points turned = turnDirections(
+      coarse, test::bentStrip(20, 10, 2, 1, angle).vertices, dense.vertices, vertexNormals(dense));
+  // Those of the bent surface; an edge of the coarse one turns by 0.075 radians.
+  EXPECT_LT(gap(turned, vertexNormals(bent)), 0.075);
+}
+
+TEST(JoinedSurface, facetsThatShareNoVerticesAreJoined) {
+  const TriangleMesh whole = test::sphere(1);
+  TriangleMesh facets;
+  facets.vertices.resize(3 * whole.faces.rows() + 1, 3);
+  facets.faces.resize(whole.faces.rows(), 3);
+  for (int i = 0; i < whole.faces.size(); ++i) {
+    facets.vertices.row(i) = whole.vertices.row(whole.faces.data()[i]);
+    facets.faces.data()[i] = i;
+  }
+  facets.vertices.bottomRows(1) << 9, 9, 9;  // in no face
+  const DeformedSurface joined = joinedSurface(facets, 2 * facets.vertices);
+  EXPECT_EQ(joined.rest.vertices.rows(), whole.vertices.rows());
+  EXPECT_EQ(joined.rest.faces.rows(), whole.faces.rows());
+  EXPECT_EQ(joined.deformed, 2 * joined.rest.vertices);
+}
+
 TEST(ApplyDeformation, refusesWhatDoesNotFit) {
   const TriangleMesh mesh = test::sphere(1);
   EXPECT_THROW(applyDeformation(mesh, mesh.vertices.topRows(4), mesh.vertices),
                std::invalid_argument);
   EXPECT_THROW(applyDeformation({}, Points(0, 3), mesh.vertices), std::invalid_argument);
+  EXPECT_THROW(turnDirections(mesh, mesh.vertices, mesh.vertices, Points(1, 3)),
+               std::invalid_argument);
   EXPECT_EQ(applyDeformation(mesh, mesh.vertices, Points(0, 3)).rows(), 0);
 }
 

@@ -4,6 +4,7 @@
 #include <posture/core/parallel.h>
 #include <posture/deformation/apply_deformation.h>
 #include <posture/deformation/arap.h>
+#include <posture/mesh/clean_mesh.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/point_index.h>
 #include <posture/mesh/vertex_neighbors.h>
@@ -16,7 +17,7 @@
 namespace posture {
 namespace {
 
-using Eigen::Vector3d;
+using Eigen::Matrix3d, Eigen::Vector3d;
 
 /// Vertices near a point that are joined to each other within a distance of it.
 class JoinedNearby {
@@ -44,6 +45,68 @@ class JoinedNearby {
   std::vector<int> seen_, found_;
 };
 
+/// The frames of a surface's vertices, blended at points.
+class FrameBlend {
+ public:
+  struct Share {
+    int vertex;
+    Vector3d from;  ///< the vertex to the point
+    double weight;
+  };
+
+  FrameBlend(const TriangleMesh& source, const Points& deformed)
+      : source_(source),
+        edge_(meanEdgeLength(source)),
+        neighbors_(source.faces, static_cast<int>(source.vertices.rows())),
+        index_(source.vertices),
+        rotation_(Arap(source, cotangentLaplacian(source)).rotations(deformed)) {}
+
+  const Matrix3d& rotation(int vertex) const { return rotation_[vertex]; }
+
+  /// Calls body(i, shares) for each point, with the vertices that have a say in it.
+  template <class Body>
+  void forEach(const Points& points, const Body& body) const {
+    constexpr int SHARE = 1024;
+    const int count = static_cast<int>(points.rows());
+    parallelFor((count + SHARE - 1) / SHARE, [&](int part) {
+      JoinedNearby nearby(source_, neighbors_);
+      std::vector<Share> shares;
+      for (int i = part * SHARE; i < std::min(count, (part + 1) * SHARE); ++i) {
+        collect(i, points.row(i), nearby, shares);
+        body(i, shares);
+      }
+    });
+  }
+
+ private:
+  void collect(int i, const Vector3d& x, JoinedNearby& nearby, std::vector<Share>& shares) const {
+    const int nearest = index_.nearest(x).index;
+    const double distance = (source_.vertices.row(nearest).transpose() - x).norm();
+    shares.clear();
+    if (distance == 0) {
+      shares.push_back({nearest, Vector3d::Zero(), 1});
+      return;
+    }
+    const double reach = 2 * (edge_ + distance);
+    for (int v : nearby.find(i, x, nearest, reach)) {
+      const Vector3d from = x - source_.vertices.row(v).transpose();
+      const double fade = std::max(0.0, reach - from.norm()) / (reach * from.norm());
+      shares.push_back({v, from, fade * fade});
+    }
+  }
+
+  const TriangleMesh& source_;
+  double edge_;
+  VertexNeighbors neighbors_;
+  PointIndex index_;
+  std::vector<Matrix3d> rotation_;
+};
+
+void requireSurface(const TriangleMesh& source, const Points& deformed) {
+  require(deformed.rows() == source.vertices.rows(), "applyDeformation: one place a vertex");
+  require(source.vertices.rows() > 0, "applyDeformation: no vertices");
+}
+
 }  // namespace
 
 double deformationScale(const TriangleMesh& source, const Points& deformed) {
@@ -60,41 +123,57 @@ double deformationScale(const TriangleMesh& source, const Points& deformed) {
 }
 
 Points applyDeformation(const TriangleMesh& source, const Points& deformed, const Points& points) {
-  require(deformed.rows() == source.vertices.rows(), "applyDeformation: one place a vertex");
-  require(source.vertices.rows() > 0, "applyDeformation: no vertices");
-  const std::vector<Eigen::Matrix3d> rotation =
-      Arap(source, cotangentLaplacian(source)).rotations(deformed);
+  requireSurface(source, deformed);
+  const FrameBlend blend(source, deformed);
   const double scale = deformationScale(source, deformed);
-  const double edge = meanEdgeLength(source);
-  const VertexNeighbors neighbors(source.faces, static_cast<int>(source.vertices.rows()));
-  const PointIndex index(source.vertices);
   Points moved(points.rows(), 3);
-  constexpr int SHARE = 1024;
-  const int count = static_cast<int>(points.rows());
-  parallelFor((count + SHARE - 1) / SHARE, [&](int share) {
-    JoinedNearby nearby(source, neighbors);
-    for (int i = share * SHARE; i < std::min(count, (share + 1) * SHARE); ++i) {
-      const Vector3d x = points.row(i);
-      const int nearest = index.nearest(x).index;
-      const double distance = (source.vertices.row(nearest).transpose() - x).norm();
-      if (distance == 0) {
-        moved.row(i) = deformed.row(nearest);
-        continue;
-      }
-      const double reach = 2 * (edge + distance);
-      Vector3d sum = Vector3d::Zero();
-      double weight = 0;
-      for (int v : nearby.find(i, x, nearest, reach)) {
-        const Vector3d from = x - source.vertices.row(v).transpose();
-        const double fade = std::max(0.0, reach - from.norm()) / (reach * from.norm());
-        const double share_of_v = fade * fade;
-        sum += share_of_v * (deformed.row(v).transpose() + scale * (rotation[v] * from));
-        weight += share_of_v;
-      }
-      moved.row(i) = (sum / weight).transpose();
+  blend.forEach(points, [&](int i, const std::vector<FrameBlend::Share>& shares) {
+    Vector3d sum = Vector3d::Zero();
+    double weight = 0;
+    for (const auto& [v, from, share] : shares) {
+      sum += share * (deformed.row(v).transpose() + scale * (blend.rotation(v) * from));
+      weight += share;
     }
+    moved.row(i) = (sum / weight).transpose();
   });
   return moved;
+}
+
+Points turnDirections(const TriangleMesh& source,
+                      const Points& deformed,
+                      const Points& points,
+                      const Points& directions) {
+  requireSurface(source, deformed);
+  require(directions.rows() == points.rows(), "turnDirections: one direction a point");
+  const FrameBlend blend(source, deformed);
+  Points turned(points.rows(), 3);
+  blend.forEach(points, [&](int i, const std::vector<FrameBlend::Share>& shares) {
+    const Vector3d direction = directions.row(i);
+    Vector3d sum = Vector3d::Zero();
+    for (const auto& [v, from, share] : shares) sum += share * (blend.rotation(v) * direction);
+    turned.row(i) = direction.norm() * sum.normalized().transpose();
+  });
+  return turned;
+}
+
+DeformedSurface joinedSurface(const TriangleMesh& source, const Points& deformed) {
+  requireSurface(source, deformed);
+  const CleanMesh clean = cleanMesh(source);
+  std::vector<int> number(source.vertices.rows(), -1), kept;
+  DeformedSurface surface;
+  surface.rest.faces = source.faces;
+  for (int i = 0; i < source.faces.size(); ++i) {
+    int v = source.faces.data()[i];
+    if (!(clean.offset[v] > 0)) v = clean.input_vertex[clean.clean_vertex[v]];
+    if (number[v] < 0) {
+      number[v] = static_cast<int>(kept.size());
+      kept.push_back(v);
+    }
+    surface.rest.faces.data()[i] = number[v];
+  }
+  surface.rest.vertices = source.vertices(kept, Eigen::all);
+  surface.deformed = deformed(kept, Eigen::all);
+  return surface;
 }
 
 }  // namespace posture

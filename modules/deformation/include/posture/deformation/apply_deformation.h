@@ -21,6 +21,25 @@ namespace posture {
 /// \throws std::invalid_argument  sizes that do not agree, or no vertices.
 Points applyDeformation(const TriangleMesh& source, const Points& deformed, const Points& points);
 
+/// Turns directions, say normals, at points by the same blend of the frames near them.
+/// \param directions  p x 3, one a point, of any length, which each keeps.
+/// \throws std::invalid_argument  as applyDeformation.
+Points turnDirections(const TriangleMesh& source,
+                      const Points& deformed,
+                      const Points& points,
+                      const Points& directions);
+
+/// A surface and where its vertices went.
+struct DeformedSurface {
+  TriangleMesh rest;
+  Points deformed;  ///< one row a vertex
+};
+
+/// For any mesh the surface that points are best taken along with: facets that do not share
+/// vertices are joined where these are at one place, and vertices in no face, which have no frame
+/// of their own, are left out. \throws InputError  as cleanMesh.
+DeformedSurface joinedSurface(const TriangleMesh& source, const Points& deformed);
+
 /// The median ratio of edge lengths: a length at rest times this is one as deformed. 1 where there
 /// is none.
 double deformationScale(const TriangleMesh& source, const Points& deformed);
