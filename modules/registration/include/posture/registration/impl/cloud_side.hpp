@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/registration/register_clouds.h>
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/conversions.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/types.h>
+
+#include <numeric>
+#include <vector>
+
+namespace posture {
+
+/// Positions and normals of all points.
+template <typename PointT>
+PointCloud toPointCloud(const pcl::PointCloud<PointT>& from) {
+  const auto n = static_cast<Eigen::Index>(from.size());
+  PointCloud cloud;
+  cloud.points.resize(n, 3);
+  for (Eigen::Index i = 0; i < n; ++i)
+    cloud.points.row(i) = from[i].getVector3fMap().template cast<double>().transpose();
+  if constexpr (pcl::traits::has_normal<PointT>::value) {
+    cloud.normals.resize(n, 3);
+    for (Eigen::Index i = 0; i < n; ++i)
+      cloud.normals.row(i) = from[i].getNormalVector3fMap().template cast<double>().transpose();
+  }
+  return cloud;
+}
+
+/// Writes positions, and normals where the points have them, into points that are finite.
+template <typename PointT>
+void writePlaces(const Points& places, const Points& normals, pcl::PointCloud<PointT>& to) {
+  for (Eigen::Index i = 0; i < places.rows(); ++i) {
+    if (!places.row(i).allFinite()) continue;
+    to[i].getVector3fMap() = places.row(i).transpose().template cast<float>();
+    if constexpr (pcl::traits::has_normal<PointT>::value)
+      to[i].getNormalVector3fMap() = normals.row(i).transpose().template cast<float>();
+  }
+}
+
+inline Points toNormals(const pcl::PCLPointCloud2& normals) {
+  pcl::PointCloud<pcl::Normal> cloud;
+  pcl::fromPCLPointCloud2(normals, cloud);
+  Points rows(static_cast<Eigen::Index>(cloud.size()), 3);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    rows.row(static_cast<Eigen::Index>(i)) =
+        cloud[i].getNormalVector3fMap().cast<double>().transpose();
+  return rows;
+}
+
+template <typename PointT>
+pcl::Indices allOf(const pcl::PointCloud<PointT>& cloud) {
+  pcl::Indices indices(cloud.size());
+  std::iota(indices.begin(), indices.end(), 0);
+  return indices;
+}
+
+/// The points of a cloud that take part. A whole organised cloud is one view; the sensor is known
+/// where it is not the origin, which clouds keep as they are moved into other frames.
+/// \param normals  instead of those of the points, if there is one for each point of the input.
+template <typename PointT>
+CloudSide cloudSide(const pcl::PointCloud<PointT>& input,
+                    const pcl::Indices& indices,
+                    const std::vector<pcl::Vertices>& polygons,
+                    const Points& normals = {}) {
+  CloudSide side;
+  side.cloud = toPointCloud(pcl::PointCloud<PointT>(input, indices));
+  if (normals.rows() == static_cast<Eigen::Index>(input.size()))
+    side.cloud.normals = normals(indices, Eigen::all);
+  side.number.assign(indices.begin(), indices.end());
+  side.total = input.size();
+  side.polygons = polygons;
+  const bool is_grid = input.height > 1 && input.width > 1 && indices == allOf(input);
+  if (is_grid) side.cloud.width = static_cast<int>(input.width);
+  const Eigen::Vector3d sensor = input.sensor_origin_.template head<3>().template cast<double>();
+  if (!sensor.isZero(0)) side.cloud.sensor = sensor;
+  return side;
+}
+
+}  // namespace posture

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/mesh/point_index.h>
+#include <posture/registration/register_clouds.h>
+
+#include <Eigen/Geometry>
+
+#include <exception>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace posture {
+namespace {
+
+std::vector<int> finiteRows(const Points& points) {
+  std::vector<int> rows;
+  for (int i = 0; i < points.rows(); ++i)
+    if (points.row(i).allFinite()) rows.push_back(i);
+  return rows;
+}
+
+/// What the stages take of one side, and the way back to it.
+struct Part {
+  Shape shape;
+  std::vector<int> row;   ///< of each of its points, among the side's
+  std::vector<int> face;  ///< of each of its faces, among the triangles of the polygons
+  Eigen::Index rows = 0;  ///< of the side
+
+  bool isMesh() const { return !face.empty(); }
+};
+
+Part pointsOf(const CloudSide& side) {
+  Part part{{side.cloud, {}}, std::vector<int>(side.number.size()), {}, side.cloud.points.rows()};
+  std::iota(part.row.begin(), part.row.end(), 0);
+  // As the readers of files have it.
+  for (int i = 0; i < part.shape.cloud.normals.rows(); ++i)
+    if (!part.shape.cloud.normals.row(i).allFinite()) part.shape.cloud.normals.row(i).setZero();
+  return part;
+}
+
+Part meshOf(const CloudSide& side) {
+  Part part{{}, finiteRows(side.cloud.points), {}, side.cloud.points.rows()};
+  part.shape.cloud.points = side.cloud.points(part.row, Eigen::all);
+  std::vector<int> vertex(side.total, -1);  // the first, where a point takes part twice
+  for (int i = static_cast<int>(part.row.size()) - 1; i >= 0; --i)
+    vertex[side.number[part.row[i]]] = i;
+  std::vector<Eigen::RowVector3i> faces;
+  int triangle = 0;
+  for (const pcl::Vertices& polygon : side.polygons) {
+    for (const auto corner : polygon.vertices)
+      if (corner < 0 || static_cast<std::size_t>(corner) >= side.total)
+        throw InputError("mesh names point " + std::to_string(corner) + " of " +
+                         std::to_string(side.total));
+    for (std::size_t k = 2; k < polygon.vertices.size(); ++k, ++triangle) {
+      const Eigen::RowVector3i face(vertex[polygon.vertices[0]],
+                                    vertex[polygon.vertices[k - 1]],
+                                    vertex[polygon.vertices[k]]);
+      if (face.minCoeff() < 0) continue;
+      faces.push_back(face);
+      part.face.push_back(triangle);
+    }
+  }
+  if (faces.empty()) throw InputError("mesh has no triangle with all its corners among the points");
+  part.shape.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f) part.shape.faces.row(f) = faces[f];
+  return part;
+}
+
+Part partOf(const std::string& name, const CloudSide& side) {
+  if (side.cloud.points.rows() == 0) throw InputError(name + " has no points");
+  if (side.polygons.empty()) return pointsOf(side);
+  try {
+    return meshOf(side);
+  } catch (const InputError& error) {
+    throw InputError(name + " " + error.what());
+  }
+}
+
+SurfacePoint referred(SurfacePoint place, const Part& to) {
+  if (place.vertex >= 0) place.vertex = to.row[place.vertex];
+  if (place.face >= 0 && to.isMesh()) place.face = to.face[place.face];
+  return place;
+}
+
+Correspondence referred(const Correspondence& map, const Part& from, const Part& to) {
+  Correspondence rows{std::vector<SurfacePoint>(from.rows), Vector::Zero(from.rows)};
+  for (std::size_t i = 0; i < map.on_target.size(); ++i) {
+    rows.on_target[from.row[i]] = referred(map.on_target[i], to);
+    rows.confidence[from.row[i]] = map.confidence[i];
+  }
+  return rows;
+}
+
+std::vector<int> referred(const std::vector<int>& target_vertex, const Part& from, const Part& to) {
+  std::vector<int> rows(from.rows, -1);
+  for (std::size_t i = 0; i < target_vertex.size(); ++i)
+    if (target_vertex[i] >= 0) rows[from.row[i]] = to.row[target_vertex[i]];
+  return rows;
+}
+
+/// Rewrites a result between two parts in terms of the points of the sides.
+void referToSides(const Part& source,
+                  const Part& target,
+                  const Points& source_points,
+                  RegistrationResult& result) {
+  result.correspondence = referred(result.correspondence, source, target);
+  if (result.back)
+    result.back->correspondence = referred(result.back->correspondence, target, source);
+  for (HypothesisSummary& hypothesis : result.hypotheses)
+    hypothesis.target_vertex = referred(hypothesis.target_vertex, source, target);
+  for (AlternativeSummary& alternative : result.alternatives) {
+    alternative.target_vertex = referred(alternative.target_vertex, source, target);
+    if (!alternative.correspondence.on_target.empty())
+      alternative.correspondence = referred(alternative.correspondence, source, target);
+  }
+  Points places = source_points;
+  for (std::size_t i = 0; i < source.row.size(); ++i)
+    places.row(source.row[i]) = result.deformed.row(static_cast<Eigen::Index>(i));
+  result.deformed = std::move(places);
+}
+
+void addMatches(const CloudSide& source, const CloudSide& target, RegisteredClouds& clouds) {
+  const RegistrationResult& result = clouds.result;
+  const std::vector<SurfacePoint>& on_target = result.correspondence.on_target;
+  for (int i = 0; i < static_cast<int>(on_target.size()); ++i) {
+    const int t = on_target[i].vertex;
+    if (t < 0) continue;
+    const double distance_sq = (result.deformed.row(i) - target.cloud.points.row(t)).squaredNorm();
+    clouds.matches.emplace_back(
+        source.number[i], target.number[t], static_cast<float>(distance_sq));
+    if (result.back && result.back->correspondence.on_target[t].vertex == i)
+      clouds.reciprocal_matches.push_back(clouds.matches.back());
+  }
+}
+
+/// Umeyama 1991, without the scale.
+Eigen::Isometry3d bestRigidMotion(const CloudSide& source,
+                                  const CloudSide& target,
+                                  const Correspondence& correspondence) {
+  std::vector<int> from, to;
+  for (std::size_t i = 0; i < correspondence.on_target.size(); ++i)
+    if (correspondence.on_target[i].vertex >= 0) {
+      from.push_back(static_cast<int>(i));
+      to.push_back(correspondence.on_target[i].vertex);
+    }
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  if (!from.empty())
+    motion.matrix() = Eigen::umeyama(Matrix(source.cloud.points(from, Eigen::all).transpose()),
+                                     Matrix(target.cloud.points(to, Eigen::all).transpose()),
+                                     false);
+  return motion;
+}
+
+/// Normals at finite points, turned; the others as they are.
+Points turnedNormals(const DeformedSurface& surface, const PointCloud& cloud) {
+  if (cloud.normals.rows() == 0) return cloud.normals;
+  const std::vector<int> seen = finiteRows(cloud.points);
+  const Points normals = cloud.normals(seen, Eigen::all);
+  const Points turned =
+      turnDirections(surface.rest, surface.deformed, cloud.points(seen, Eigen::all), normals);
+  Points all = cloud.normals;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (normals.row(row).allFinite()) all.row(seen[i]) = turned.row(row);
+  }
+  return all;
+}
+
+RegisteredClouds registered(const CloudSide& source,
+                            const CloudSide& target,
+                            const RegistrationOptions& options) {
+  const Part from = partOf("source", source), to = partOf("target", target);
+  RegisteredClouds clouds;
+  clouds.result = registerShapes(from.shape, to.shape, options);
+  RegistrationResult& result = clouds.result;
+  clouds.surface =
+      result.source_scan
+          ? DeformedSurface{result.source_scan->mesh, result.surface_deformed}
+          : joinedSurface({from.shape.cloud.points, from.shape.faces}, result.deformed);
+  clouds.normals = turnedNormals(clouds.surface, source.cloud);
+  referToSides(from, to, source.cloud.points, result);
+  addMatches(source, target, clouds);
+  clouds.T_target_source = bestRigidMotion(source, target, result.correspondence);
+  return clouds;
+}
+
+}  // namespace
+
+RegisteredClouds registerClouds(const CloudSide& source,
+                                const CloudSide& target,
+                                const RegistrationOptions& options) {
+  try {
+    return registered(source, target, options);
+  } catch (const std::exception& error) {
+    RegisteredClouds none;
+    none.result.message = error.what();
+    return none;
+  }
+}
+
+PointCloud deformed(const RegisteredClouds& clouds, PointCloud points) {
+  const std::vector<int> seen = finiteRows(points.points);
+  points.normals = turnedNormals(clouds.surface, points);
+  const Points places = points.points(seen, Eigen::all);
+  points.points(seen, Eigen::all) =
+      applyDeformation(clouds.surface.rest, clouds.surface.deformed, places);
+  return points;
+}
+
+double meanSquaredDistance(const Points& points, const Points& target, double max_range) {
+  constexpr double NONE = std::numeric_limits<double>::max();
+  const std::vector<int> seen = finiteRows(target);
+  if (seen.empty()) return NONE;
+  const PointIndex index(target(seen, Eigen::all));
+  double sum = 0;
+  int count = 0;
+  for (int i : finiteRows(points)) {
+    const double distance = index.nearest(points.row(i).transpose()).distance;
+    if (distance * distance > max_range) continue;
+    sum += distance * distance;
+    ++count;
+  }
+  return count > 0 ? sum / count : NONE;
+}
+
+}  // namespace posture

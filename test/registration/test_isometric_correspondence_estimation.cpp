@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/edges.h>
+#include <posture/registration/isometric_correspondence_estimation.h>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+#include <pcl/conversions.h>
+#include <pcl/registration/correspondence_rejection_one_to_one.h>
+#include <pcl/registration/correspondence_rejection_sample_consensus.h>
+#include <pcl/registration/transformation_estimation_svd.h>
+
+#include "registration/pcl_bodies.h"
+#include "support/shapes.h"
+#include <map>
+#include <set>
+
+namespace posture {
+namespace {
+
+using pcl::PointXYZ;
+using Cloud = pcl::PointCloud<PointXYZ>;
+using Estimation = IsometricCorrespondenceEstimation<PointXYZ, PointXYZ>;
+
+Eigen::Affine3d motion() {
+  return Eigen::Translation3d(0.5, 1, -2) *
+         Eigen::AngleAxisd(2.5, Eigen::Vector3d(3, 1, 2).normalized());
+}
+
+/// Two poses, the second moved away.
+struct Bodies {
+  ArticulatedBody source_body = test::smallBody(0), target_body = test::smallBody(1, 1);
+  Cloud::Ptr source = test::toCloud<PointXYZ>(source_body.mesh.vertices);
+  Cloud::Ptr target =
+      test::toCloud<PointXYZ>((motion() * target_body.mesh.vertices.transpose()).transpose());
+  Estimation estimation;
+  pcl::Correspondences matches;
+
+  Bodies() {
+    estimation.setSourceMesh(source, test::toPolygons(source_body.mesh.faces));
+    estimation.setTargetMesh(target, test::toPolygons(target_body.mesh.faces));
+    estimation.determineCorrespondences(matches);
+  }
+  double edge() const { return meanEdgeLength(target_body.mesh); }
+};
+
+const Bodies& bodies() {
+  static const Bodies once;
+  return once;
+}
+
+double squaredDistance(const pcl::Correspondence& match) {
+  return ((*bodies().source)[match.index_query].getVector3fMap() -
+          (*bodies().target)[match.index_match].getVector3fMap())
+      .cast<double>()
+      .squaredNorm();
+}
+
+TEST(IsometricCorrespondenceEstimation, matchesAreTheTrueOnesHoweverTheCloudsLie) {
+  const Bodies& b = bodies();
+  EXPECT_EQ(b.estimation.getResult().status, Status::REGISTERED) << b.estimation.getMessage();
+  ASSERT_GT(b.matches.size(), 0.9 * static_cast<double>(b.source->size()));
+  std::map<int, int> truth;
+  for (const VertexPair& pair : groundTruth(b.source_body, b.target_body))
+    truth[pair.source] = pair.target;
+  double miss = 0;
+  for (const pcl::Correspondence& match : b.matches) {
+    miss += ((*b.target)[match.index_match].getVector3fMap() -
+             (*b.target)[truth.at(match.index_query)].getVector3fMap())
+                .norm();
+    EXPECT_NEAR(match.distance, squaredDistance(match), 1e-4);
+  }
+  EXPECT_LT(miss / static_cast<double>(b.matches.size()), b.edge());
+}
+
+TEST(IsometricCorrespondenceEstimation, farPairsAreLeftOut) {
+  Estimation estimation = bodies().estimation;
+  double sum = 0;
+  for (const pcl::Correspondence& match : bodies().matches) sum += std::sqrt(match.distance);
+  const double limit = sum / static_cast<double>(bodies().matches.size());
+  pcl::Correspondences near;
+  estimation.determineCorrespondences(near, limit);
+  std::size_t expected = 0;
+  for (const pcl::Correspondence& match : bodies().matches)
+    if (match.distance <= limit * limit) ++expected;
+  EXPECT_EQ(near.size(), expected);
+  EXPECT_LT(near.size(), bodies().matches.size());
+  EXPECT_GT(near.size(), 0);
+  for (const pcl::Correspondence& match : near) EXPECT_LE(match.distance, limit * limit);
+}
+
+TEST(IsometricCorrespondenceEstimation, reciprocalMatchesAreOneToOne) {
+  Estimation estimation = bodies().estimation;
+  pcl::Correspondences both_ways;
+  estimation.determineReciprocalCorrespondences(both_ways);
+  EXPECT_GT(both_ways.size(), 0.2 * static_cast<double>(bodies().matches.size()));
+  std::map<int, int> match_of;
+  for (const pcl::Correspondence& match : bodies().matches)
+    match_of[match.index_query] = match.index_match;
+  std::set<int> targets;
+  for (const pcl::Correspondence& match : both_ways) {
+    EXPECT_EQ(match_of.at(match.index_query), match.index_match);
+    EXPECT_TRUE(targets.insert(match.index_match).second);
+  }
+}
+
+TEST(IsometricCorrespondenceEstimation, pclFindsTheMotionOfOnePartFromTheMatches) {
+  const Bodies& b = bodies();
+  const auto one_to_one = [&] {
+    pcl::registration::CorrespondenceRejectorOneToOne rejector;
+    pcl::Correspondences kept;
+    rejector.getRemainingCorrespondences(b.matches, kept);
+    return kept;
+  }();
+  EXPECT_LT(one_to_one.size(), b.matches.size());
+  // Sample consensus keeps the part that moves as one; the pose leaves the trunk where it was.
+  pcl::registration::CorrespondenceRejectorSampleConsensus<PointXYZ> consensus;
+  consensus.setInputSource(b.source);
+  consensus.setInputTarget(b.target);
+  consensus.setInlierThreshold(b.edge());
+  consensus.setMaximumIterations(1000);
+  pcl::Correspondences rigid;
+  consensus.getRemainingCorrespondences(one_to_one, rigid);
+  ASSERT_GT(rigid.size(), one_to_one.size() / 4);
+  EXPECT_LT(rigid.size(), one_to_one.size());
+  Eigen::Matrix4f found;
+  pcl::registration::TransformationEstimationSVD<PointXYZ, PointXYZ>().estimateRigidTransformation(
+      *b.source, *b.target, rigid, found);
+  for (const pcl::Correspondence& match : rigid) {
+    const Eigen::Vector4f place = found * (*b.source)[match.index_query].getVector4fMap();
+    EXPECT_LT((place.head<3>() - (*b.target)[match.index_match].getVector3fMap()).norm(),
+              3 * b.edge());
+  }
+  const Eigen::Matrix3d turn = found.topLeftCorner<3, 3>().cast<double>();
+  EXPECT_LT(Eigen::AngleAxisd(turn.transpose() * motion().rotation()).angle(), 0.3);
+}
+
+TEST(IsometricCorrespondenceEstimation, registersAnewOnlyWhenSomethingChanged) {
+  Estimation estimation = bodies().estimation;
+  const auto* before = estimation.getResult().correspondence.on_target.data();
+  pcl::Correspondences matches;
+  estimation.determineCorrespondences(matches);
+  EXPECT_EQ(matches.size(), bodies().matches.size());
+  EXPECT_EQ(estimation.getResult().correspondence.on_target.data(), before);
+
+  const auto empty = pcl::make_shared<pcl::Indices>();
+  estimation.setIndicesSource(empty);
+  estimation.determineCorrespondences(matches);
+  EXPECT_TRUE(matches.empty());
+  EXPECT_EQ(estimation.getMessage(), "source has no points");
+}
+
+TEST(IsometricCorrespondenceEstimation, copiesAndClonesAreOnTheirOwn) {
+  Estimation original = bodies().estimation;
+  const Estimation::Base::Ptr clone = original.clone();
+  auto line = pcl::make_shared<Cloud>();
+  for (int i = 0; i < 100; ++i) line->push_back({static_cast<float>(i), 0, 0});
+  original.setInputTarget(line);
+  pcl::Correspondences of_original, of_clone;
+  original.determineCorrespondences(of_original);
+  clone->determineCorrespondences(of_clone);
+  EXPECT_TRUE(of_original.empty());
+  EXPECT_EQ(original.getMessage().substr(0, 7), "target ");
+  EXPECT_EQ(of_clone.size(), bodies().matches.size());
+}
+
+TEST(IsometricCorrespondenceEstimation, takesIndicesOfBothSides) {
+  const Bodies& b = bodies();
+  Estimation estimation;
+  estimation.setInputSource(b.source);
+  estimation.setInputTarget(b.target);
+  // The front halves, backwards.
+  const auto is_front = [](const ArticulatedBody& body, int i) {
+    return body.rest_position(i, 1) > body.rest_position.col(1).mean();
+  };
+  const auto front = [&](const ArticulatedBody& body) {
+    auto indices = pcl::make_shared<pcl::Indices>();
+    for (int i = static_cast<int>(body.rest_position.rows()) - 1; i >= 0; --i)
+      if (is_front(body, i)) indices->push_back(i);
+    return indices;
+  };
+  const auto source_indices = front(b.source_body);
+  estimation.setIndicesSource(source_indices);
+  estimation.setIndicesTarget(front(b.target_body));
+  pcl::Correspondences matches;
+  estimation.determineCorrespondences(matches);
+  ASSERT_FALSE(matches.empty()) << estimation.getMessage();
+  for (const pcl::Correspondence& match : matches) {
+    EXPECT_TRUE(is_front(b.source_body, match.index_query));
+    EXPECT_TRUE(is_front(b.target_body, match.index_match));
+  }
+  EXPECT_EQ(estimation.getResult().correspondence.on_target.size(), source_indices->size());
+}
+
+TEST(IsometricCorrespondenceEstimation, normalsSayWhatIsOutside) {
+  const auto to_blob = [](const Points& normals) {
+    pcl::PointCloud<pcl::Normal> cloud;
+    for (const auto& n : normals.rowwise())
+      cloud.push_back(
+          {static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z())});
+    auto blob = pcl::make_shared<pcl::PCLPointCloud2>();
+    pcl::toPCLPointCloud2(cloud, *blob);
+    return blob;
+  };
+  // Open sheets, whose outside is a matter of choice: opposite ones here.
+  const TriangleMesh flat = test::grid(40, 20, 2, 1), bent = test::bentStrip(40, 20, 2, 1, 1);
+  Estimation estimation;
+  estimation.setInputSource(test::toCloud<PointXYZ>(flat.vertices));
+  estimation.setInputTarget(test::toCloud<PointXYZ>(bent.vertices));
+  EXPECT_FALSE(estimation.requiresSourceNormals());
+  EXPECT_FALSE(estimation.requiresTargetNormals());
+  for (const double side : {1, -1}) {
+    estimation.setSourceNormals(to_blob(side * vertexNormals(flat)));
+    estimation.setTargetNormals(to_blob(-side * vertexNormals(bent)));
+    pcl::Correspondences matches;
+    estimation.determineCorrespondences(matches);
+    const RegistrationResult& result = estimation.getResult();
+    ASSERT_TRUE(result.source_scan && result.target_scan) << estimation.getMessage();
+    EXPECT_GT(side * vertexNormals(result.source_scan->mesh).col(2).mean(), 0.5);
+    EXPECT_LT(side * vertexNormals(result.target_scan->mesh).col(2).mean(), -0.5);
+  }
+}
+
+}  // namespace
+}  // namespace posture
