@@ -15,16 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Points of no place are grey.
-Colors colorsOf(const Points& points) {
-  std::vector<int> seen;
-  for (int i = 0; i < points.rows(); ++i)
-    if (points.row(i).allFinite()) seen.push_back(i);
-  Colors colors = Colors::Constant(points.rows(), 3, REJECTED_GREY);
-  colors(seen, Eigen::all) = placeColors(points(seen, Eigen::all));
-  return colors;
-}
-
 std::string alternativeName(std::size_t k) { return "alternative-" + std::to_string(k); }
 
 }  // namespace
@@ -41,22 +31,6 @@ void writeColored(const fs::path& path,
   cloud.points = points;
   cloud.colors = colors;
   writePointCloud(path, cloud);
-}
-
-Colors targetColors(const Colors& colors,
-                    const Correspondence& map,
-                    const Shape& target,
-                    const std::optional<ScanSurface>& scan) {
-  if (!scan) return transferColors(colors, map, {target.cloud.points, target.faces});
-  Correspondence on_surface = map;
-  for (SurfacePoint& place : on_surface.on_target)
-    if (place.face < 0) place.vertex = -1;  // its vertex is a point, not one of the surface
-  const Colors of_surface = transferColors(colors, on_surface, scan->mesh);
-  Colors of_points = Colors::Constant(target.cloud.points.rows(), 3, REJECTED_GREY);
-  for (std::size_t i = 0; i < scan->on_mesh.size(); ++i)
-    if (scan->on_mesh[i].vertex >= 0)
-      of_points.row(static_cast<Eigen::Index>(i)) = of_surface.row(scan->on_mesh[i].vertex);
-  return of_points;
 }
 
 std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationResult& result) {
@@ -109,12 +83,12 @@ void writeResultFiles(const fs::path& folder,
                       const Shape& target,
                       const RegistrationResult& result,
                       const std::optional<ShapeSegments>& segments) {
-  const Colors colors = colorsOf(source.cloud.points);
+  const Colors colors = placeColors(source.cloud.points);
   const auto writeTarget = [&](const std::string& name, const Correspondence& map) {
     writeColored(folder / name,
                  target.cloud.points,
                  target.faces,
-                 targetColors(colors, map, target, result.target_scan));
+                 transferColors(colors, map, target, result.target_scan));
   };
   writeCorrespondence(folder / "correspondence.csv", result.correspondence);
   if (segments) writeSegments(folder / "segments.ply", source, *segments);

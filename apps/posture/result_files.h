@@ -37,13 +37,6 @@ Colors writeSegments(const std::filesystem::path& path,
                      const Shape& shape,
                      const ShapeSegments& segments);
 
-/// The target's vertices or points in the colours of what lies there.
-/// \param colors  one a vertex (point) of the source.
-Colors targetColors(const Colors& colors,
-                    const Correspondence& map,
-                    const Shape& target,
-                    const std::optional<ScanSurface>& scan);
-
 /// Rows `point,vertex,face,b0,b1,b2,offset`: where each point of a cloud lies on its surface.
 void writeSurfaceLink(const std::filesystem::path& path, const ScanSurface& surface);
 

@@ -4,6 +4,7 @@
 #include <posture/io/atomic_file.h>
 #include <posture/io/shape_io.h>
 #include <posture/pipeline/segment_shape.h>
+#include <posture/report/colors.h>
 
 #include <nlohmann/json.hpp>
 
@@ -138,11 +139,11 @@ void segmentVerb(const SegmentOptions& options, Common& common) {
   writeLabels(options.folder / "segments.csv", segments.label);
   for (std::size_t k = 0; k < poses.files.size(); ++k) {
     const Shape& pose = poses.files[k].shape;
-    writeColored(
-        options.folder / poseFile(k),
-        pose.cloud.points,
-        pose.faces,
-        targetColors(colors, poses.results[k].correspondence, pose, poses.results[k].target_scan));
+    writeColored(options.folder / poseFile(k),
+                 pose.cloud.points,
+                 pose.faces,
+                 transferColors(
+                     colors, poses.results[k].correspondence, pose, poses.results[k].target_scan));
   }
   writeText(options.folder / "segments.json", described);
   if (common.json)

@@ -65,6 +65,18 @@ TEST(PlaceColors, degenerateShapes) {
   EXPECT_EQ(placeColors(Points::Ones(4, 3)).rows(), 4);
 }
 
+TEST(PlaceColors, whatWasNotSeenIsGreyAndChangesNoOther) {
+  const TriangleMesh mesh = body();
+  Points with_gap(mesh.vertices.rows() + 1, 3);
+  with_gap << mesh.vertices.topRows(5),
+      Eigen::RowVector3d(1, std::numeric_limits<double>::quiet_NaN(), 0),
+      mesh.vertices.bottomRows(mesh.vertices.rows() - 5);
+  const Colors whole = placeColors(mesh.vertices), colors = placeColors(with_gap);
+  EXPECT_EQ(colors.topRows(5), whole.topRows(5));
+  EXPECT_EQ(colors.row(5), Colors::Constant(1, 3, REJECTED_GREY).row(0));
+  EXPECT_EQ(colors.bottomRows(whole.rows() - 5), whole.bottomRows(whole.rows() - 5));
+}
+
 Correspondence threePlaces() {
   Correspondence correspondence;
   correspondence.on_target = {{0, 0, {0.75, 0.25, 0}}, {}, {3, -1, {0, 0, 0}}};
@@ -81,6 +93,22 @@ TEST(TransferColors, byPlaceOnTheTarget) {
   EXPECT_EQ(colors.row(target.faces(0, 0)), source.row(0));
   EXPECT_EQ(colors.row(target.faces(0, 1)), source.row(0));
   EXPECT_EQ(colors.row(target.faces(0, 2)), Colors::Constant(1, 3, REJECTED_GREY).row(0));
+}
+
+TEST(TransferColors, pointsOfACloudTakeTheColorOfTheSurfaceThroughThem) {
+  Colors source(3, 3);
+  source << 200, 0, 0, 0, 200, 0, 0, 0, 200;
+  ScanSurface scan;
+  scan.mesh = test::grid(2, 1, 2, 1);
+  scan.on_mesh = {{}, {scan.mesh.faces(0, 0), 0, {1, 0, 0}}, {3, 0, {0, 0, 1}}};
+  Shape target;
+  target.cloud.points = Points::Zero(3, 3);
+  // The third place is a point of the cloud, in no face: it says nothing of the surface.
+  const Colors colors = transferColors(source, threePlaces(), target, scan);
+  ASSERT_EQ(colors.rows(), 3);
+  EXPECT_EQ(colors.row(0), Colors::Constant(1, 3, REJECTED_GREY).row(0));
+  EXPECT_EQ(colors.row(1), source.row(0));
+  EXPECT_EQ(colors.row(2), Colors::Constant(1, 3, REJECTED_GREY).row(0));
 }
 
 TEST(TransferColors, vertexMapTakesTheMean) {

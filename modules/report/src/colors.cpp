@@ -65,8 +65,12 @@ class ColorSums {
 
 }  // namespace
 
-PlaceColoring::PlaceColoring(const Points& vertices) {
-  if (vertices.rows() == 0) return;
+PlaceColoring::PlaceColoring(const Points& given) {
+  std::vector<int> seen;
+  for (int i = 0; i < given.rows(); ++i)
+    if (given.row(i).allFinite()) seen.push_back(i);
+  if (seen.empty()) return;
+  const Points vertices = given(seen, Eigen::all);
   centre_ = vertices.colwise().mean();
   const Points centred = vertices.rowwise() - centre_;
   const Eigen::Matrix3d spread = centred.transpose() * centred;
@@ -84,6 +88,10 @@ PlaceColoring::PlaceColoring(const Points& vertices) {
 Colors PlaceColoring::operator()(const Points& places) const {
   Colors colors(places.rows(), 3);
   for (Eigen::Index i = 0; i < places.rows(); ++i) {
+    if (!places.row(i).allFinite()) {
+      colors.row(i).setConstant(REJECTED_GREY);
+      continue;
+    }
     const RowVector3d along = (places.row(i) - centre_) * axes_;
     RowVector3d share = RowVector3d::Constant(0.5);
     for (int c = 0; c < 3; ++c)
@@ -139,6 +147,22 @@ Colors transferColors(const Colors& source,
   for (Eigen::Index i = 0; i < source.rows(); ++i)
     if (target_vertex[i] >= 0) sums.add(target_vertex[i], 1, source, i);
   return sums.means();
+}
+
+Colors transferColors(const Colors& source,
+                      const Correspondence& correspondence,
+                      const Shape& target,
+                      const std::optional<ScanSurface>& scan) {
+  if (!scan) return transferColors(source, correspondence, {target.cloud.points, target.faces});
+  Correspondence on_surface = correspondence;
+  for (SurfacePoint& place : on_surface.on_target)
+    if (place.face < 0) place.vertex = -1;  // its vertex is a point, not one of the surface
+  const Colors of_surface = transferColors(source, on_surface, scan->mesh);
+  Colors of_points = Colors::Constant(target.cloud.points.rows(), 3, REJECTED_GREY);
+  for (std::size_t i = 0; i < scan->on_mesh.size(); ++i)
+    if (scan->on_mesh[i].vertex >= 0)
+      of_points.row(static_cast<Eigen::Index>(i)) = of_surface.row(scan->on_mesh[i].vertex);
+  return of_points;
 }
 
 Colors partPalette(const std::vector<int>& label, const Faces& faces) {

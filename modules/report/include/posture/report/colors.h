@@ -3,15 +3,19 @@
 #pragma once
 
 #include <posture/core/correspondence.h>
+#include <posture/core/point_cloud.h>
 #include <posture/core/types.h>
+#include <posture/scan/reconstruct.h>
 
+#include <optional>
 #include <vector>
 
 namespace posture {
 
 /// Gives every place of a shape its colour: smooth over the shape and different at its far ends and
 /// on its two sides. The colour is a place in the principal axes of the shape it was made for, so
-/// equal places get equal colours wherever they are asked for.
+/// equal places get equal colours wherever they are asked for. What is not finite is no place, and
+/// grey.
 class PlaceColoring {
  public:
   /// \param vertices  n x 3: the shape.
@@ -47,6 +51,13 @@ Colors transferColors(const Colors& source,
 Colors transferColors(const Colors& source,
                       const std::vector<int>& target_vertex,
                       Eigen::Index target_vertices);
+
+/// The same for a shape as it was given. \param scan  the surface laid through a target that is a
+/// cloud, which faces refer to.
+Colors transferColors(const Colors& source,
+                      const Correspondence& correspondence,
+                      const Shape& target,
+                      const std::optional<ScanSurface>& scan);
 
 /// One colour a part, strong and few, so that parts that touch differ and large ones are told apart
 /// best. \param label  n: part of each vertex, the largest first; -1: none.
