@@ -27,11 +27,13 @@ struct Registered {
   Shape source = readShape(SCANS / "human-pose0-scan.pcd");
   Shape target = readShape(SCANS / "human-pose6-scan.pcd");
   RegistrationResult result;
+  double progress = 0;  // at the end
   Registered() {
     // As an organised cloud has them: points that were not seen.
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (int i : {0, 100, 5000}) source.cloud.points.row(i).setConstant(nan);
-    result = registerShapes(source, target);
+    result = registerShapes(
+        source, target, {}, [this](const StageEvent& event) { progress = event.progress; });
   }
 };
 
@@ -63,8 +65,13 @@ TEST(RegisterScans, aPairOfRawScansGoesToTheRightPlaces) {
   EXPECT_GT(meanMiss("human-pose0-pose6-scan-mirror.txt"), 5 * miss);
 }
 
+TEST(RegisterScans, progressComesToOne) {
+  EXPECT_GT(registered().progress, 0.8);
+  EXPECT_LE(registered().progress, 1);
+}
+
 TEST(RegisterScans, everyPointHasARow) {
-  const auto& [source, target, result] = registered();
+  const auto& [source, target, result, progress] = registered();
   const auto n = source.cloud.points.rows();
   ASSERT_EQ(result.correspondence.on_target.size(), n);
   ASSERT_EQ(result.correspondence.confidence.size(), n);

@@ -17,7 +17,7 @@ RegistrationResult publishedMethod(const GivenShape& source_given,
                                    StageClock& clock) {
   // 4.1: Voronoi samples, geodesic distances by fast marching, confidence w = 1 - m_h / m.
   EmbeddedShape source{source_given.clean.mesh, {}, {}}, target{target_given.clean.mesh, {}, {}};
-  clock.stage("geodesic", 0.4, [&] {
+  clock.stage("geodesic", 0.36, [&] {
     source.landmarks = sampleSide("source", source.mesh);
     target.landmarks = sampleSide("target", target.mesh);
     return 0;
@@ -46,7 +46,7 @@ RegistrationResult publishedMethod(const GivenShape& source_given,
 
   // 4.2 and 5, for each candidate: kernel, thin-plate spline, dense map; common meshes, E_D.
   std::vector<Hypothesis> hypotheses(candidates.size());
-  clock.stage("hypotheses", 0.25, [&] {
+  clock.stage("hypotheses", 0.22, [&] {
     parallelFor(static_cast<int>(candidates.size()), [&](int k) {
       hypotheses[k] = evaluateCandidate(source, target, candidates[k], consistency[k], threshold);
     });

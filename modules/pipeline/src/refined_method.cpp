@@ -68,7 +68,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   RefinedShape source, target;
 
   // Evenly spread subsets of the vertices: all with all can be compared on them.
-  clock.stage("reduction", 0.08, [&] {
+  clock.stage("reduction", 0.03, [&] {
     parallelFor(2, [&](int side) {
       if (side == 0) source = reduceSide("source", posed(source_ordered.mesh, source_pose));
       if (side == 1) target = reduceSide("target", posed(target_ordered.mesh, target_pose));
@@ -77,13 +77,13 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   });
 
   // The smoothest functions on each surface, which do not change when it bends.
-  clock.stage("spectrum", 0.12, [&] {
+  clock.stage("spectrum", 0.09, [&] {
     parallelFor(2, [&](int side) { addSpectrum(side == 0 ? source : target); });
     return 0;
   });
 
   // Geodesic distances between samples, and their canonical forms (the paper's section 4.1).
-  clock.stage("geodesic", 0.1, [&] {
+  clock.stage("geodesic", 0.09, [&] {
     addSamples(source);
     addSamples(target);
     return 0;
@@ -93,7 +93,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   // Maps between the samples: all axis orders and signs, and what the shapes' symmetries make of
   // them.
   const std::vector<SampleMap> pool = clock.stage(
-      "candidates", 0.15, [&] { return poolOfMaps(source.samples, target.samples, POOL); });
+      "candidates", 0.08, [&] { return poolOfMaps(source.samples, target.samples, POOL); });
 
   // With holes the areas do not tell the scale, but distances under a map do; those under a
   // mirrored one as well.
@@ -132,7 +132,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   const auto refine = [&](const std::vector<const Finalist*>& chosen) {
     return refineFinalists(source, target, chosen).front();
   };
-  const RefinedMap best = clock.stage("refinement", 0.25, [&] {
+  const RefinedMap best = clock.stage("refinement", 0.28, [&] {
     std::vector<const Finalist*> leading;
     for (const Finalist& f : finalists)
       if (leading.size() < REFINED_FINALISTS) leading.push_back(&f);
@@ -143,7 +143,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   clock.show([&] { return refinedPictures(source, target, best); });
 
   // All vertices, to a fraction of an edge.
-  const FullMap full = clock.stage("full resolution", 0.1, [&] {
+  const FullMap full = clock.stage("full resolution", 0.05, [&] {
     const VertexMaps& winner = finalists[best.finalist].maps;
     for (int i : distinct) {
       if (static_cast<int>(result.alternatives.size()) >= MOST_ALTERNATIVES) break;

@@ -41,13 +41,13 @@ RegistrationResult registerShapes(const Shape& source,
                                   const RegistrationOptions& options,
                                   const Observer& observer) {
   StageClock clock(observer);
-  auto [source_surface, target_surface] = clock.stage("surfaces", 0.08, [&] {
+  auto [source_surface, target_surface] = clock.stage("surfaces", 0.05, [&] {
     return std::pair(surfaceOf("source", source, options.surface),
                      surfaceOf("target", target, options.surface));
   });
   RegistrationResult result =
       registerMeshes(source_surface.mesh, target_surface.mesh, options, clock);
-  clock.stage("points", 0.02, [&] {
+  clock.stage("points", 0.01, [&] {
     referToPoints(source, target, std::move(source_surface), std::move(target_surface), result);
     return 0;
   });

@@ -18,7 +18,8 @@ class StageClock {
  public:
   explicit StageClock(const Observer& observer) : observer_(observer) {}
 
-  /// Runs one stage; `share` is its usual part of the whole run's time.
+  /// Runs one stage; `share` is its usual part of the time; all shares of a
+  /// run, of clouds too, come to at most 1.
   template <class Work>
   auto stage(const std::string& name, double share, const Work& work) {
     if (observer_) observer_({name, progress_, {}});
