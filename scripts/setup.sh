@@ -9,6 +9,9 @@ packages=(
   libceres-dev libgoogle-glog-dev libspectra-dev nlohmann-json3-dev libcli11-dev
   libvtk9-dev libx11-dev libgl1-mesa-dri xvfb                 # pictures, with or without a screen
   libgtest-dev libgmock-dev                                   # tests
+  libroscpp-dev libstd-msgs-dev libgeometry-msgs-dev libsensor-msgs-dev       # the ROS node
+  libvisualization-msgs-dev libdiagnostic-msgs-dev libstd-srvs-dev
+  python3-roslaunch python3-rostest
 )
 
 say() { printf '%s\n' "$*" >&2; }
