@@ -42,10 +42,12 @@ install_packages() {
     as_root=(sudo)
   fi
   say "Installing ${missing[*]}"
-  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq
-    -o DPkg::Lock::Timeout=300)
+  local unattended=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive)
+  local apt=("${unattended[@]}" apt-get -qq -o DPkg::Lock::Timeout=300)
+  # What a killed run left half installed; dpkg cannot configure what lacks its dependencies, apt gets them.
+  "${unattended[@]}" dpkg --configure -a >/dev/null 2>&1 || true
   "${apt[@]}" update
-  "${apt[@]}" install -y --no-install-recommends "${missing[@]}" >/dev/null
+  "${apt[@]}" install -y --fix-broken --no-install-recommends "${missing[@]}" >/dev/null
 }
 
 # As many compilers as there are processors, but no more than memory can feed (1.5 GB each).
