@@ -10,18 +10,18 @@
 #include <algorithm>
 #include <cmath>
 #include <dlfcn.h>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace posture {
 namespace {
 
 PoissonFunction loadPoisson() {
-  for (const char* path : {POSTURE_POISSON_INSTALLED, POSTURE_POISSON_BUILT})
-    if (void* library = dlopen(path, RTLD_NOW | RTLD_LOCAL))
-      if (void* function = dlsym(library, POISSON_FUNCTION))
-        return reinterpret_cast<PoissonFunction>(function);
-  throw std::runtime_error("the Poisson surface needs " POSTURE_POISSON_INSTALLED
-                           ", which cannot be loaded");
+  if (void* library = dlopen(POISSON_LIBRARY, RTLD_NOW | RTLD_LOCAL))
+    if (void* function = dlsym(library, POISSON_FUNCTION))
+      return reinterpret_cast<PoissonFunction>(function);
+  throw std::runtime_error(std::string("the Poisson surface is not installed: ") + dlerror());
 }
 
 }  // namespace
