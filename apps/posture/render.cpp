@@ -20,7 +20,7 @@ namespace {
   argv.push_back(nullptr);
   execv(program.c_str(), argv.data());
   throw InputError(program.string() +
-                   " is missing: posture was built without POSTURE_BUILD_RENDER");
+                   " is missing: a package of its own, or not built (POSTURE_BUILD_RENDER)");
 }
 
 }  // namespace
