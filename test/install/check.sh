@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# check.sh CASE: checks of an installed tree. Paths come from the environment, see CMakeLists.txt.
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+tree=$WORK/tree
+
+fail() {
+  printf 'FAILED: %s\n' "$*" >&2
+  exit 1
+}
+
+# without_windows PROGRAM: nothing of VTK or Qt is loaded with it, and nothing is missing.
+without_windows() {
+  local libraries
+  libraries=$(ldd "$1")
+  if grep -iE 'libvtk|libQt|not found' <<<"$libraries"; then
+    fail "$1 is linked with that"
+  fi
+}
+
+check_tree() {
+  rm -rf "$WORK"
+  "$CMAKE" --install "$BUILD" --prefix "$WORK/first" >/dev/null
+  mv "$WORK/first" "$tree"
+  if grep -rlF -e "$SOURCE" -e "$BUILD" "$tree"; then
+    fail "these files name the folder they were built in"
+  fi
+  for file in share/doc/posture/LICENSE share/doc/posture/README.md share/posture/human/pairs.csv; do
+    [[ -s $tree/$file ]] || fail "$file is missing"
+  done
+}
+
+check_commands() {
+  local scan=$tree/share/posture/scans/human-pose0-scan.pcd
+  without_windows "$tree/bin/posture"
+  "$tree/bin/posture" reconstruct "$scan" --surface poisson -o "$WORK/poisson.ply" --quiet >/dev/null
+  if [[ $RENDER == 1 ]]; then
+    "$tree/bin/posture" render "$WORK/poisson.ply" -o "$WORK/poisson.png" --size 64x64
+    [[ -s $WORK/poisson.png ]] || fail "no picture was drawn"
+  fi
+}
+
+# The verbs of `posture --help`, and the options of posture-render, are those the manual explains.
+check_manual() {
+  local manual=$tree/share/man/man1
+  diff <("$tree/bin/posture" --help | sed -n '/^Subcommands/,$ s/^  \([a-z]\+\) .*/\1/p' | sort) \
+    <(sed -n '/^\.SH VERBS/,/^\.SH OPTIONS/ s/^\.BI "\([a-z]\+\) .*/\1/p' "$manual/posture.1" | sort) ||
+    fail "the verbs (<) are not those of posture.1 (>)"
+  if [[ $RENDER == 1 ]]; then
+    diff <("$tree/bin/posture-render" --help | grep -oE -- '^  [^ ]*--[a-z,-]+' | grep -oE -- '--[a-z-]+' | sort) \
+      <(sed -n '/^\.SH OPTIONS/,/^\.SH EXIT/p' "$manual/posture-render.1" | grep '^\.B' | tr -d '\\' |
+        grep -oE -- '--[a-z-]+' | sort) ||
+      fail "the options (<) are not those of posture-render.1 (>)"
+  fi
+}
+
+# configure PROJECT [OPTION...]: a project of its own that finds the tree.
+configure() {
+  local project=$1
+  shift
+  "$CMAKE" -S "$here/$project" -B "$WORK/$project" -DCMAKE_PREFIX_PATH="$tree" \
+    -DCMAKE_BUILD_TYPE=Release "$@"
+}
+
+check_components() {
+  rm -rf "$WORK/components"
+  configure components >"$WORK/components.log" 2>&1 || fail "$(cat "$WORK/components.log")"
+}
+
+check_consumer() {
+  rm -rf "$WORK/consumer"
+  configure consumer >/dev/null
+  "$CMAKE" --build "$WORK/consumer"
+  without_windows "$WORK/consumer/register"
+  without_windows "$WORK/consumer/everything"
+  "$WORK/consumer/register" "$tree/share/posture"
+}
+
+check_pkg_config() {
+  local flags
+  export PKG_CONFIG_PATH
+  PKG_CONFIG_PATH=$(dirname "$(find "$tree" -name posture.pc)")
+  flags=$(pkg-config --cflags --libs --static posture)
+  # shellcheck disable=SC2086  # both are lists of words
+  "$CXX" $CXXFLAGS -O1 "$here/consumer/register.cpp" -o "$WORK/register" $flags
+  without_windows "$WORK/register"
+  "$WORK/register" "$tree/share/posture"
+}
+
+mkdir -p "$WORK"
+"check_$1"
