@@ -8,7 +8,8 @@ packages=(
   libeigen3-dev libboost-dev libpcl-dev liblzf-dev                    # modules
   libceres-dev libgoogle-glog-dev libspectra-dev nlohmann-json3-dev libcli11-dev
   libvtk9-dev libx11-dev libgl1-mesa-dri xvfb                 # pictures, with or without a screen
-  libgtest-dev libgmock-dev                                   # tests
+  libgtest-dev libgmock-dev pkg-config                        # tests
+  dpkg-dev file                                               # Debian packages
   libroscpp-dev libstd-msgs-dev libgeometry-msgs-dev libsensor-msgs-dev       # the ROS node
   libvisualization-msgs-dev libdiagnostic-msgs-dev libstd-srvs-dev
   python3-roslaunch python3-rostest
@@ -59,16 +60,30 @@ jobs_at_once() {
   printf '%s\n' "$((jobs > 0 ? jobs : 1))"
 }
 
-# build TARGET...: configures build/release and builds the targets and what they take. Goes on where
-# an earlier build was stopped.
-build() {
+# configure_build FOLDER [OPTION...]: for a build in FOLDER, as the preset `release` says.
+configure_build() {
+  local folder=$1
+  shift
   local generator=()
-  if [[ ! -e build/release/CMakeCache.txt ]] && command -v ninja >/dev/null; then
+  if [[ ! -e $folder/CMakeCache.txt ]] && command -v ninja >/dev/null; then
     generator=(-G Ninja)
   fi
-  cmake --preset release "${generator[@]}" >/dev/null
+  cmake --preset release -B "$folder" "${generator[@]}" "$@" >/dev/null
+}
+
+# build_in FOLDER TARGET...: builds the targets and what they take. Goes on where an earlier build was
+# stopped.
+build_in() {
+  local folder=$1
+  shift
   local jobs
   jobs=$(jobs_at_once)
-  say "Building in build/release, $jobs at a time"
-  cmake --build build/release -j "$jobs" --target "$@"
+  say "Building in $folder, $jobs at a time"
+  cmake --build "$folder" -j "$jobs" --target "$@"
+}
+
+# build TARGET...: in build/release.
+build() {
+  configure_build build/release
+  build_in build/release "$@"
 }

@@ -88,5 +88,33 @@ check_pkg_config() {
   "$WORK/register" "$tree/share/posture"
 }
 
+# has NAME PATH...: the package NAME has these files.
+has() {
+  local name=$1 path content
+  shift
+  content=$(dpkg-deb -c "$WORK/package/${name}"_*.deb)
+  for path in "$@"; do
+    grep -q " \./usr/$path\$" <<<"$content" || fail "$path is not in the package $name"
+  done
+}
+
+check_package() {
+  rm -rf "$WORK/package"
+  "$CPACK" --config "$BUILD/CPackConfig.cmake" -B "$WORK/package" >"$WORK/package.log" 2>&1 ||
+    fail "$(cat "$WORK/package.log")"
+  has posture bin/posture share/man/man1/posture.1.gz share/doc/posture/copyright \
+    share/posture/human/pairs.csv
+  has posture-render bin/posture-render '.*/posture/libposture_poisson.so' \
+    share/man/man1/posture-render.1.gz share/doc/posture-render/copyright
+  has libposture-dev include/posture/core/types.h '.*/libposture_pipeline.a' \
+    '.*/cmake/posture/postureConfig.cmake' '.*/pkgconfig/posture.pc' share/doc/libposture-dev/copyright
+  local depends
+  depends=$(dpkg-deb -f "$WORK/package"/posture_*.deb Depends)
+  grep -q libpcl-common <<<"$depends" || fail "posture does not depend on what it links"
+  if grep -iE 'vtk|qt' <<<"$depends"; then
+    fail "posture depends on that"
+  fi
+}
+
 mkdir -p "$WORK"
 "check_$1"

@@ -1,0 +1,26 @@
+# What Debian wants of a package and other installations do not: copyright and changelog in each,
+# compressed manuals, binaries without what only debuggers read. Run by CPack before it packs.
+set(strip_options --remove-section=.comment --remove-section=.note)
+foreach(component ${CPACK_COMPONENTS_ALL})
+  string(TOUPPER ${component} upper)
+  set(usr ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/${component}/usr)
+  set(doc ${usr}/share/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
+  file(REMOVE ${doc}/LICENSE)
+  file(MAKE_DIRECTORY ${doc})
+  configure_file(${CPACK_POSTURE_SOURCE_DIR}/packaging/copyright ${doc}/copyright COPYONLY)
+  configure_file(${CPACK_POSTURE_SOURCE_DIR}/CHANGELOG.md ${doc}/changelog COPYONLY)
+  file(REMOVE ${doc}/CHANGELOG.md)
+  configure_file(${CPACK_POSTURE_SOURCE_DIR}/packaging/changelog.in ${doc}/changelog.Debian @ONLY)
+  file(GLOB manuals ${usr}/share/man/man1/*.1)
+  execute_process(COMMAND gzip -9n ${doc}/changelog ${doc}/changelog.Debian ${manuals}
+    COMMAND_ERROR_IS_FATAL ANY)
+  file(GLOB_RECURSE archives ${usr}/lib/*.a)
+  file(GLOB_RECURSE binaries ${usr}/bin/* ${usr}/lib/*.so)
+  if(archives)
+    execute_process(COMMAND strip --strip-debug ${strip_options} --enable-deterministic-archives ${archives}
+      COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+  if(binaries)
+    execute_process(COMMAND strip --strip-unneeded ${strip_options} ${binaries} COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+endforeach()
