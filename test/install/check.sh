@@ -23,6 +23,9 @@ check_tree() {
   rm -rf "$WORK"
   "$CMAKE" --install "$BUILD" --prefix "$WORK/first" >/dev/null
   mv "$WORK/first" "$tree"
+  diff <(cd "$SOURCE/modules" && find */include -name '*.h' | sed 's#^[^/]*/##' | sort) \
+    <(cd "$tree" && find include -name '*.h' | sort) ||
+    fail "the installed headers (>) are not those of the modules (<)"
   if grep -rlF -e "$SOURCE" -e "$BUILD" "$tree"; then
     fail "these files name the folder they were built in"
   fi

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/evaluation/map_error.h>
-#include <posture/evaluation/statistics.h>
 #include <posture/evaluation/target_metric.h>
 #include <posture/evaluation/truth.h>
 #include <posture/io/mesh_io.h>
