@@ -20,13 +20,16 @@ without_windows() {
 }
 
 check_tree() {
-  rm -rf "$WORK"
+  rm -rf "$WORK/first" "$tree"
   "$CMAKE" --install "$BUILD" --prefix "$WORK/first" >/dev/null
   mv "$WORK/first" "$tree"
   diff <(cd "$SOURCE/modules" && find */include -name '*.h' | sed 's#^[^/]*/##' | sort) \
     <(cd "$tree" && find include -name '*.h' | sort) ||
     fail "the installed headers (>) are not those of the modules (<)"
-  if grep -rlF -e "$SOURCE" -e "$BUILD" "$tree"; then
+  # Debug information names the sources.
+  local files=(-r)
+  if [[ $BUILD_TYPE != Release ]]; then files=(-rI); fi
+  if grep "${files[@]}" -lF -e "$SOURCE" -e "$BUILD" "$tree"; then
     fail "these files name the folder they were built in"
   fi
   for file in share/doc/posture/LICENSE share/doc/posture/README.md share/posture/human/pairs.csv; do
@@ -85,8 +88,8 @@ check_pkg_config() {
   export PKG_CONFIG_PATH
   PKG_CONFIG_PATH=$(dirname "$(find "$tree" -name posture.pc)")
   flags=$(pkg-config --cflags --libs --static posture)
-  # shellcheck disable=SC2086  # both are lists of words
-  "$CXX" $CXXFLAGS -O1 "$here/consumer/register.cpp" -o "$WORK/register" $flags
+  # shellcheck disable=SC2086  # these are lists of words
+  "$CXX" $CXXFLAGS $LDFLAGS -O1 "$here/consumer/register.cpp" -o "$WORK/register" $flags
   without_windows "$WORK/register"
   "$WORK/register" "$tree/share/posture"
 }
