@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace posture {
 namespace {
 
@@ -46,6 +48,22 @@ TEST(PointIndex, takesAnyUnit) {
       EXPECT_LT(found.distance, 1e-6 * unit);
     }
   }
+}
+
+TEST(PointIndex, findsSeveralNearOnesFirst) {
+  Rng rng(4);
+  const Points points = randomPoints(300, rng);
+  const PointIndex index(points);
+  const Eigen::Vector3d query = points.row(17);
+  std::vector<double> distances;
+  for (int i = 0; i < points.rows(); ++i)
+    distances.push_back((points.row(i).transpose() - query).norm());
+  std::sort(distances.begin(), distances.end());
+  const auto found = index.nearest(query, 12);
+  ASSERT_EQ(found.size(), 12u);
+  for (std::size_t k = 0; k < found.size(); ++k) EXPECT_NEAR(found[k].distance, distances[k], 1e-6);
+  EXPECT_EQ(found.front().index, 17);
+  EXPECT_EQ(index.nearest(query, 1000).size(), 300u);
 }
 
 TEST(PointIndex, refusesNoPoints) { EXPECT_THROW(PointIndex(Points(0, 3)), std::invalid_argument); }

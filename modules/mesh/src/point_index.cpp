@@ -41,10 +41,19 @@ PointIndex::PointIndex(PointIndex&&) noexcept = default;
 PointIndex& PointIndex::operator=(PointIndex&&) noexcept = default;
 
 PointIndex::Neighbor PointIndex::nearest(const Eigen::Vector3d& query) const {
-  std::vector<int> index(1, -1);
-  std::vector<float> distance_sq(1, 0);
-  tree_->kdtree.nearestKSearch(tree_->local(query), 1, index, distance_sq);
-  return {index[0], tree_->unit * std::sqrt(static_cast<double>(distance_sq[0]))};
+  return nearest(query, 1).front();
+}
+
+std::vector<PointIndex::Neighbor> PointIndex::nearest(const Eigen::Vector3d& query,
+                                                      int count) const {
+  std::vector<int> index;
+  std::vector<float> distance_sq;
+  tree_->kdtree.nearestKSearch(tree_->local(query), count, index, distance_sq);
+  std::vector<Neighbor> neighbors;
+  neighbors.reserve(index.size());
+  for (std::size_t i = 0; i < index.size(); ++i)
+    neighbors.push_back({index[i], tree_->unit * std::sqrt(static_cast<double>(distance_sq[i]))});
+  return neighbors;
 }
 
 }  // namespace posture

@@ -5,6 +5,7 @@
 #include <posture/core/types.h>
 
 #include <memory>
+#include <vector>
 
 namespace posture {
 
@@ -25,6 +26,9 @@ class PointIndex {
 
   /// May be called from several threads. \pre  the query is finite.
   Neighbor nearest(const Eigen::Vector3d& query) const;
+
+  /// The nearest \p count points (all, where there are fewer), near ones first; likewise.
+  std::vector<Neighbor> nearest(const Eigen::Vector3d& query, int count) const;
 
  private:
   struct Tree;

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+#include <posture/evaluation/closeness.h>
+#include <posture/evaluation/statistics.h>
+#include <posture/mesh/point_index.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace posture {
+namespace {
+
+constexpr int NEIGHBORS = 16;
+constexpr double PI = 3.141592653589793;
+
+Points finiteRows(const Points& points) {
+  Points finite(points.rows(), 3);
+  Eigen::Index count = 0;
+  for (int i = 0; i < points.rows(); ++i)
+    if (points.row(i).allFinite()) finite.row(count++) = points.row(i);
+  require(count > 0, "no point");
+  return finite.topRows(count);
+}
+
+/// From each of `from` to the nearest of `to`.
+std::vector<double> distances(const Points& from, const PointIndex& to) {
+  std::vector<double> lengths(from.rows());
+  for (int i = 0; i < from.rows(); ++i) lengths[i] = to.nearest(from.row(i)).distance;
+  return lengths;
+}
+
+double spacingOf(const Points& finite, const PointIndex& index) {
+  std::vector<double> spacings(finite.rows());
+  for (int i = 0; i < finite.rows(); ++i) {
+    const auto near = index.nearest(finite.row(i), NEIGHBORS + 1);  // the point itself among them
+    const auto others = std::max<double>(1, static_cast<double>(near.size()) - 1);
+    spacings[i] = near.back().distance * std::sqrt(PI / others);
+  }
+  return percentile(spacings, 0.5);
+}
+
+double shareWithin(const std::vector<double>& lengths, double limit) {
+  const auto within =
+      std::count_if(lengths.begin(), lengths.end(), [&](double l) { return l <= limit; });
+  return static_cast<double>(within) / static_cast<double>(lengths.size());
+}
+
+}  // namespace
+
+Closeness measureCloseness(const Points& moved, const Points& target) {
+  const Points from = finiteRows(moved), to = finiteRows(target);
+  const PointIndex from_index(from), to_index(to);
+  const double spacing = spacingOf(to, to_index);
+  const double diagonal = (to.colwise().maxCoeff() - to.colwise().minCoeff()).norm();
+  const std::vector<double> there = distances(from, to_index), back = distances(to, from_index);
+  return {mean(there) / diagonal, shareWithin(there, spacing), shareWithin(back, spacing)};
+}
+
+}  // namespace posture
