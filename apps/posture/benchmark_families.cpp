@@ -3,6 +3,7 @@
 #include <posture/evaluation/statistics.h>
 
 #include "benchmark_report.h"
+#include "error_plots.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,40 +11,11 @@
 namespace posture::app {
 namespace {
 
-/// The figures at `pointer` of those results that have one.
-std::vector<double> figures(const std::vector<Json>& results, const std::string& pointer) {
-  std::vector<double> found;
-  for (const Json& result : results) {
-    const double figure = numberAt(result, pointer);
-    if (std::isfinite(figure)) found.push_back(figure);
-  }
-  return found;
-}
-
-double largest(const std::vector<double>& values) {
-  return values.empty() ? std::nan("") : *std::max_element(values.begin(), values.end());
-}
-
 int countTrue(const std::vector<Json>& results, const std::string& pointer) {
   const Json::json_pointer place(pointer);
   return static_cast<int>(std::count_if(results.begin(), results.end(), [&](const Json& result) {
     return result.contains(place) && result.at(place) == true;
   }));
-}
-
-/// The mean of the pairs' curves, each pair counting alike.
-Json meanCurve(const std::vector<Json>& results) {
-  std::vector<double> sum;
-  int curves = 0;
-  for (const Json& result : results) {
-    if (!result.contains("errors")) continue;
-    const auto curve = result["errors"]["curve"].get<std::vector<double>>();
-    sum.resize(curve.size(), 0.0);
-    for (std::size_t i = 0; i < curve.size(); ++i) sum[i] += curve[i];
-    ++curves;
-  }
-  for (double& value : sum) value /= curves;
-  return sum;
 }
 
 /// Share of the measured points 0, 1, 2, ... edges off, each pair counting alike.

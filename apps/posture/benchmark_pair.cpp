@@ -4,45 +4,17 @@
 
 #include <posture/core/error.h>
 #include <posture/evaluation/statistics.h>
-#include <posture/evaluation/surface_fit.h>
-#include <posture/evaluation/truth.h>
-#include <posture/io/shape_io.h>
-#include <posture/pipeline/register_shapes.h>
 #include <posture/report/peak_memory.h>
 
+#include "child_run.h"
+#include "pair_data.h"
 #include "target_places.h"
 #include <algorithm>
 #include <chrono>
 #include <omp.h>
-#include <utility>
 
 namespace posture::app {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-struct PairData {
-  Shape source, target;
-  std::vector<VertexPair> truth, mirror_truth;  // empty: not known
-};
-
-/// Also the seconds that reading the two shapes took.
-std::pair<PairData, double> readPair(const BenchmarkPair& pair) {
-  PairData data;
-  const auto start = Clock::now();
-  data.source = readShape(pair.source);
-  data.target = readShape(pair.target);
-  const double seconds = secondsSince(start);
-  const int n = static_cast<int>(data.source.cloud.points.rows());
-  const int m = static_cast<int>(data.target.cloud.points.rows());
-  if (!pair.truth.empty()) data.truth = readTruth(pair.truth, n, m);
-  if (!pair.mirror_truth.empty()) data.mirror_truth = readTruth(pair.mirror_truth, n, m);
-  return {std::move(data), seconds};
-}
 
 /// The answers that the method chose among.
 std::vector<std::vector<int>> answersOf(const RegistrationResult& result) {
@@ -52,12 +24,6 @@ std::vector<std::vector<int>> answersOf(const RegistrationResult& result) {
   for (const AlternativeSummary& alternative : result.alternatives)
     maps.push_back(alternative.target_vertex);
   return maps;
-}
-
-/// The places of a map at vertices, as the field measures it.
-std::vector<SurfacePoint> atVertices(std::vector<SurfacePoint> places) {
-  for (SurfacePoint& place : places) place.face = -1;
-  return places;
 }
 
 Json judgeCandidates(const TargetMetric& metric,
@@ -96,36 +62,26 @@ void judgeErrors(const BenchmarkPair& pair,
         toJson(compareWithMirror(metric, map, truth, target.onMesh(data.mirror_truth)));
 }
 
-/// How the surfaces lie on each other, those of clouds laid through them.
 void judgeFit(const PairData& data, const RegistrationResult& result, Json& json) {
-  const auto meshOf = [](const Shape& shape, const std::optional<ScanSurface>& scan) {
-    return scan ? scan->mesh : TriangleMesh{shape.cloud.points, shape.faces};
-  };
-  const SurfaceFit fit = measureFit(meshOf(data.source, result.source_scan),
-                                    result.source_scan ? result.surface_deformed : result.deformed,
-                                    result.scale,
-                                    meshOf(data.target, result.target_scan));
+  const SurfaceFit fit = fitOf(data.source, data.target, result);
   json["fit"] = {{"median_distance", fit.median_distance},
                  {"percentile_95_distance", fit.percentile_95_distance},
                  {"mean_stretch", fit.mean_stretch},
                  {"percentile_95_stretch", fit.percentile_95_stretch}};
 }
 
-Json registerAndJudge(const BenchmarkPair& pair,
-                      Method method,
-                      const PairData& data,
-                      double read_seconds) {
-  const auto start = Clock::now();
+Json registerAndJudge(const BenchmarkPair& pair, Method method, const PairData& data) {
+  const auto start = std::chrono::steady_clock::now();
   RegistrationOptions options;
   options.method = method;
   const RegistrationResult result = registerShapes(data.source, data.target, options);
-  const double seconds = read_seconds + secondsSince(start);
+  const double seconds = data.read_seconds + secondsSince(start);
   const double memory = peakMemoryMib();
 
   const auto& places = result.correspondence.on_target;
   const auto accepted = std::count_if(
       places.begin(), places.end(), [](const SurfacePoint& p) { return p.vertex >= 0; });
-  Json json = describePair(pair, method);
+  Json json = describePair(pair, nameOf(method));
   json["status"] = result.status == Status::REGISTERED ? "registered" : "undecided";
   json["message"] = result.message;
   if (!result.hypotheses.empty())
@@ -151,36 +107,13 @@ Json registerAndJudge(const BenchmarkPair& pair,
 
 }  // namespace
 
-Json describePair(const BenchmarkPair& pair, Method method) {
-  return {{"id", pair.id},
-          {"method", method == Method::PAPER ? "paper" : "refined"},
-          {"family", pair.family},
-          {"kind", pair.kind},
-          {"source", pair.source.string()},
-          {"target", pair.target.string()},
-          {"truth", pair.truth.string()},
-          {"mirror_truth", pair.mirror_truth.string()},
-          {"note", pair.note},
-          {"target_surface", pair.target_surface.string()},
-          {"target_surface_vertices", pair.target_surface_vertices.string()}};
-}
-
-Json failedPair(const BenchmarkPair& pair,
-                Method method,
-                const std::string& status,
-                const std::string& message) {
-  Json json = describePair(pair, method);
-  json["status"] = status;
-  json["message"] = message;
-  return json;
-}
+std::string nameOf(Method method) { return method == Method::PAPER ? "paper" : "refined"; }
 
 Json runPair(const BenchmarkPair& pair, Method method) {
   try {
-    const auto [data, read_seconds] = readPair(pair);
-    return registerAndJudge(pair, method, data, read_seconds);
+    return registerAndJudge(pair, method, readPair(pair));
   } catch (const InputError& error) {
-    return failedPair(pair, method, "not run", error.what());
+    return failedRun(describePair(pair, nameOf(method)), "not run", error.what());
   }
 }
 

@@ -6,20 +6,14 @@
 #include <posture/pipeline/register_shapes.h>
 
 #include "error_json.h"
+#include <string>
 
 namespace posture::app {
 
-/// The part of a result that names its pair and method: a result of others is not this pair's.
-Json describePair(const BenchmarkPair& pair, Method method);
+/// "refined" or "paper".
+std::string nameOf(Method method);
 
 /// Registers a pair and judges the map. Input that cannot be used ends in a result that says so.
 Json runPair(const BenchmarkPair& pair, Method method);
-
-/// The result of a pair that came to nothing.
-/// \param status  "not run": the input cannot be used; "failed": crashed or took too long.
-Json failedPair(const BenchmarkPair& pair,
-                Method method,
-                const std::string& status,
-                const std::string& message);
 
 }  // namespace posture::app

@@ -2,74 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "benchmark_report.h"
 
-#include <posture/report/table.h>
-
 #include "error_plots.h"
 #include "folder.h"
+#include "result_columns.h"
+#include <iterator>
 
 namespace posture::app {
 namespace {
 
-struct Column {
-  const char* name;
-  const char* pointer;
-};
-
-constexpr Column COLUMNS[] = {{"id", "/id"},
-                              {"family", "/family"},
-                              {"kind", "/kind"},
-                              {"method", "/method"},
-                              {"status", "/status"},
-                              {"source_vertices", "/source_vertices"},
-                              {"target_vertices", "/target_vertices"},
-                              {"samples", "/samples"},
-                              {"mean_x100", "/errors/mean_x100"},
-                              {"subvertex_mean_x100", "/subvertex_mean_x100"},
-                              {"median_x100", "/errors/median_x100"},
-                              {"percentile_95_x100", "/errors/percentile_95_x100"},
-                              {"true_pairs", "/errors/true_pairs"},
-                              {"mapped_pairs", "/errors/mapped_pairs"},
-                              {"measured_pairs", "/errors/measured_pairs"},
-                              {"accepted", "/accepted"},
-                              {"rejected", "/rejected"},
-                              {"share_within_two_edges", "/errors/share_within_two_edges"},
-                              {"chosen", "/chosen"},
-                              {"best", "/candidates/best"},
-                              {"chosen_sampled_mean_x100", "/candidates/chosen_mean_x100"},
-                              {"best_sampled_mean_x100", "/candidates/best_mean_x100"},
-                              {"chose_wrong", "/candidates/chose_wrong"},
-                              {"wrong_side", "/mirror/wrong_side"},
-                              {"share_nearer_mirror", "/mirror/share_nearer_mirror"},
-                              {"median_distance_edges", "/fit/median_distance"},
-                              {"percentile_95_distance_edges", "/fit/percentile_95_distance"},
-                              {"mean_stretch", "/fit/mean_stretch"},
-                              {"percentile_95_stretch", "/fit/percentile_95_stretch"},
-                              {"consistency", "/consistency"},
-                              {"trust", "/trust"},
-                              {"score", "/score"},
-                              {"seconds", "/seconds"},
-                              {"peak_memory_mib", "/peak_memory_mib"},
-                              {"threads", "/threads"},
-                              {"message", "/message"}};
-
-/// The value at `pointer`; empty where there is none.
-std::string valueAt(const Json& result, const std::string& pointer) {
-  const Json::json_pointer place(pointer);
-  if (!result.contains(place) || result.at(place).is_null()) return {};
-  const Json& value = result.at(place);
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
-std::string resultTable(const std::vector<Json>& results) {
-  std::vector<std::string> header;
-  for (const Column& column : COLUMNS) header.emplace_back(column.name);
-  std::vector<std::vector<std::string>> rows;
-  for (const Json& result : results) {
-    rows.emplace_back();
-    for (const Column& column : COLUMNS) rows.back().push_back(valueAt(result, column.pointer));
-  }
-  return toCsv({header, rows});
-}
+constexpr ResultColumn COLUMNS[] = {{"id", "/id"},
+                                    {"family", "/family"},
+                                    {"kind", "/kind"},
+                                    {"method", "/method"},
+                                    {"status", "/status"},
+                                    {"source_vertices", "/source_vertices"},
+                                    {"target_vertices", "/target_vertices"},
+                                    {"samples", "/samples"},
+                                    {"mean_x100", "/errors/mean_x100"},
+                                    {"subvertex_mean_x100", "/subvertex_mean_x100"},
+                                    {"median_x100", "/errors/median_x100"},
+                                    {"percentile_95_x100", "/errors/percentile_95_x100"},
+                                    {"true_pairs", "/errors/true_pairs"},
+                                    {"mapped_pairs", "/errors/mapped_pairs"},
+                                    {"measured_pairs", "/errors/measured_pairs"},
+                                    {"accepted", "/accepted"},
+                                    {"rejected", "/rejected"},
+                                    {"share_within_two_edges", "/errors/share_within_two_edges"},
+                                    {"chosen", "/chosen"},
+                                    {"best", "/candidates/best"},
+                                    {"chosen_sampled_mean_x100", "/candidates/chosen_mean_x100"},
+                                    {"best_sampled_mean_x100", "/candidates/best_mean_x100"},
+                                    {"chose_wrong", "/candidates/chose_wrong"},
+                                    {"wrong_side", "/mirror/wrong_side"},
+                                    {"share_nearer_mirror", "/mirror/share_nearer_mirror"},
+                                    {"median_distance_edges", "/fit/median_distance"},
+                                    {"percentile_95_distance_edges", "/fit/percentile_95_distance"},
+                                    {"mean_stretch", "/fit/mean_stretch"},
+                                    {"percentile_95_stretch", "/fit/percentile_95_stretch"},
+                                    {"consistency", "/consistency"},
+                                    {"trust", "/trust"},
+                                    {"score", "/score"},
+                                    {"seconds", "/seconds"},
+                                    {"peak_memory_mib", "/peak_memory_mib"},
+                                    {"threads", "/threads"},
+                                    {"message", "/message"}};
 
 /// The families' values under `key`; those that have none are left out.
 std::vector<NamedSeries> seriesOf(const Json& families, const char* key) {
@@ -93,7 +69,8 @@ Json writeBenchmarkReport(const std::vector<Json>& results,
       {"trust",
        {{"good_pairs", trust.good}, {"bad_pairs", trust.bad}, {"area_under_curve", trust.area()}}},
       {"pairs", results}};
-  writeText(folder / "results.csv", resultTable(results));
+  writeText(folder / "results.csv",
+            toCsv(tableOf(results, {std::begin(COLUMNS), std::end(COLUMNS)})));
   writeText(folder / "results.json", summary.dump(1) + "\n");
   writeText(folder / "RESULTS.md", benchmarkPage(results, families, trust, listed));
   writeText(folder / "curves.svg", curvePlot(seriesOf(families, "curve")));

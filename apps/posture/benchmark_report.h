@@ -10,7 +10,7 @@
 namespace posture::app {
 
 /// What the results of one family come to: medians over its pairs, counts, largest values.
-/// `results` are what runPair() and failedPair() made, all of one family.
+/// `results` are what runPair() and failedRun() made, all of one family.
 Json summarizeFamily(const std::string& family, const std::vector<Json>& results);
 
 /// Families in the order of their first pair.

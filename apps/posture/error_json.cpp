@@ -5,6 +5,7 @@
 #include <posture/evaluation/statistics.h>
 #include <posture/report/table.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -43,6 +44,20 @@ double numberAt(const Json& document, const std::string& pointer) {
   if (!document.contains(place) || !document.at(place).is_number())
     return std::numeric_limits<double>::quiet_NaN();
   return document.at(place).get<double>();
+}
+
+std::vector<double> figures(const std::vector<Json>& documents, const std::string& pointer) {
+  std::vector<double> found;
+  for (const Json& document : documents) {
+    const double figure = numberAt(document, pointer);
+    if (std::isfinite(figure)) found.push_back(figure);
+  }
+  return found;
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                        : *std::max_element(values.begin(), values.end());
 }
 
 std::string percent(double share, int decimals) {

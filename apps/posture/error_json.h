@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace posture::app {
 
@@ -19,6 +20,12 @@ Json toJson(const MirrorComparison& comparison);
 
 /// A number in a document, by JSON pointer; NaN where it is missing or null.
 double numberAt(const Json& document, const std::string& pointer);
+
+/// The numbers at `pointer` of those documents that have one.
+std::vector<double> figures(const std::vector<Json>& documents, const std::string& pointer);
+
+/// NaN where there are none.
+double largest(const std::vector<double>& values);
 
 /// A share of 1 in per cent; "-" for NaN.
 std::string percent(double share, int decimals = 1);

@@ -14,6 +14,20 @@ constexpr std::size_t LAST_BAR = 10;  ///< edges; more are counted with these
 
 }  // namespace
 
+std::vector<double> meanCurve(const std::vector<Json>& results) {
+  std::vector<double> sum;
+  int curves = 0;
+  for (const Json& result : results) {
+    if (!result.contains("errors")) continue;
+    const auto curve = result["errors"]["curve"].get<std::vector<double>>();
+    sum.resize(curve.size(), 0.0);
+    for (std::size_t i = 0; i < curve.size(); ++i) sum[i] += curve[i];
+    ++curves;
+  }
+  for (double& value : sum) value /= curves;
+  return sum;
+}
+
 std::string curvePlot(const std::vector<NamedSeries>& curves) {
   LinePlot plot;
   plot.title = "Share of points with error below x";

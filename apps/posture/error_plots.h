@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "error_json.h"
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ struct NamedSeries {
   std::string name;
   std::vector<double> values;  ///< shares in [0, 1]
 };
+
+/// The mean of the curves of those results that have errors, each counting alike; empty: none has.
+std::vector<double> meanCurve(const std::vector<Json>& results);
 
 /// Error curves sampled at curvePlaces(), as SVG.
 std::string curvePlot(const std::vector<NamedSeries>& curves);

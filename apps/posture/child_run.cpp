@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "child_run.h"
+
+#include "child_process.h"
+#include "folder.h"
+#include <chrono>
+#include <fstream>
+
+namespace posture::app {
+
+Json storedResult(const ChildRun& run) {
+  std::ifstream file(run.result_file);
+  Json json = Json::parse(file, nullptr, false);
+  if (!json.is_object() || !json.contains("status")) return nullptr;
+  for (const char* key :
+       {"id", "method", "variation", "seed", "source", "target", "truth", "mirror_truth"})
+    if (run.described.contains(key) && (!json.contains(key) || json[key] != run.described[key]))
+      return nullptr;
+  return json;
+}
+
+Json runInChild(const ChildRun& run, const std::function<void()>& waiting) {
+  std::filesystem::remove(run.result_file);
+  const ChildEnd end =
+      runSelf(run.arguments, std::chrono::duration<double>(run.time_limit), waiting);
+  Json result = end.succeeded ? storedResult(run) : Json();
+  if (result.is_null()) {
+    result = failedRun(run.described, "failed", end.succeeded ? "left no result" : end.reason);
+    writeText(run.result_file, result.dump(1) + "\n");
+  }
+  return result;
+}
+
+Json failedRun(const Json& described, const std::string& status, const std::string& message) {
+  Json json = described;
+  json["status"] = status;
+  json["message"] = message;
+  return json;
+}
+
+}  // namespace posture::app

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair_data.h"
+
+#include <posture/evaluation/truth.h>
+#include <posture/io/shape_io.h>
+
+namespace posture::app {
+
+PairData readPair(const BenchmarkPair& pair) {
+  PairData data;
+  const auto start = std::chrono::steady_clock::now();
+  data.source = readShape(pair.source);
+  data.target = readShape(pair.target);
+  data.read_seconds = secondsSince(start);
+  const int n = static_cast<int>(data.source.cloud.points.rows());
+  const int m = static_cast<int>(data.target.cloud.points.rows());
+  if (!pair.truth.empty()) data.truth = readTruth(pair.truth, n, m);
+  if (!pair.mirror_truth.empty()) data.mirror_truth = readTruth(pair.mirror_truth, n, m);
+  return data;
+}
+
+Json describePair(const BenchmarkPair& pair, const std::string& method) {
+  return {{"id", pair.id},
+          {"method", method},
+          {"family", pair.family},
+          {"kind", pair.kind},
+          {"source", pair.source.string()},
+          {"target", pair.target.string()},
+          {"truth", pair.truth.string()},
+          {"mirror_truth", pair.mirror_truth.string()},
+          {"note", pair.note},
+          {"target_surface", pair.target_surface.string()},
+          {"target_surface_vertices", pair.target_surface_vertices.string()}};
+}
+
+std::vector<SurfacePoint> atVertices(std::vector<SurfacePoint> places) {
+  for (SurfacePoint& place : places) place.face = -1;
+  return places;
+}
+
+SurfaceFit fitOf(const Shape& source, const Shape& target, const RegistrationResult& result) {
+  const auto meshOf = [](const Shape& shape, const std::optional<ScanSurface>& scan) {
+    return scan ? scan->mesh : TriangleMesh{shape.cloud.points, shape.faces};
+  };
+  return measureFit(meshOf(source, result.source_scan),
+                    result.source_scan ? result.surface_deformed : result.deformed,
+                    result.scale,
+                    meshOf(target, result.target_scan));
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace posture::app

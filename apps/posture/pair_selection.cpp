@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair_selection.h"
+
+#include <algorithm>
+
+namespace posture::app {
+namespace {
+
+void checkKnown(const std::vector<std::string>& asked,
+                const std::vector<BenchmarkPair>& pairs,
+                std::string BenchmarkPair::*member,
+                const char* what) {
+  for (const std::string& name : asked)
+    if (std::none_of(pairs.begin(), pairs.end(), [&](const auto& p) { return p.*member == name; }))
+      throw CLI::ValidationError(std::string("the list has no ") + what + " '" + name + "'");
+}
+
+bool isAmong(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+bool PairSelection::has(const BenchmarkPair& pair) const {
+  return isAmong(families, pair.family) && isAmong(ids, pair.id);
+}
+
+void PairSelection::check(const std::vector<BenchmarkPair>& pairs) const {
+  checkKnown(families, pairs, &BenchmarkPair::family, "family");
+  checkKnown(ids, pairs, &BenchmarkPair::id, "pair");
+}
+
+void addSelection(CLI::App& verb, PairSelection& selection) {
+  verb.add_option("--family", selection.families, "Only pairs of this family (repeatable)");
+  verb.add_option("--pair", selection.ids, "Only the pair of this id (repeatable)");
+}
+
+}  // namespace posture::app
