@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "working_frame.h"
+
+#include <posture/core/error.h>
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <vector>
+
+namespace posture {
+namespace {
+
+constexpr int FEWEST_POINTS = 10;
+
+std::vector<int> finiteRows(const Points& points) {
+  std::vector<int> rows;
+  for (int i = 0; i < points.rows(); ++i)
+    if (points.row(i).allFinite()) rows.push_back(i);
+  if (rows.size() < FEWEST_POINTS)
+    throw InputError(std::to_string(rows.size()) + " points, expected " +
+                     std::to_string(FEWEST_POINTS) + " or more");
+  return rows;
+}
+
+Points rowsOf(const Points& points, const std::vector<int>& rows) {
+  Points chosen(static_cast<Eigen::Index>(rows.size()), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    chosen.row(static_cast<Eigen::Index>(i)) = points.row(rows[i]);
+  return chosen;
+}
+
+/// The length that holds the middle 98 % of the numbers.
+double spread(Vector values) {
+  std::sort(values.data(), values.data() + values.size());
+  const Eigen::Index off = values.size() / 100;
+  return values[values.size() - 1 - off] - values[off];
+}
+
+}  // namespace
+
+WorkingFrame::WorkingFrame(const Points& target, double size) {
+  const Points points = rowsOf(target, finiteRows(target));
+  center_ = points.colwise().mean();
+  const Eigen::Vector3d box(spread(points.col(0)), spread(points.col(1)), spread(points.col(2)));
+  unit_ = box.norm() / size;
+  if (!(unit_ > 0)) throw InputError("all points at one place");
+}
+
+LocalCloud WorkingFrame::local(const PointCloud& cloud) const {
+  const std::vector<int> rows = finiteRows(cloud.points);
+  LocalCloud local;
+  local.points = (rowsOf(cloud.points, rows).rowwise() - center_.transpose()) / unit_;
+  if (cloud.normals.rows() > 0) local.normals = rowsOf(cloud.normals, rows);
+  if (cloud.sensor) local.sensor = (*cloud.sensor - center_) / unit_;
+  return local;
+}
+
+Eigen::Isometry3d WorkingFrame::given(const Eigen::Matrix4d& motion) const {
+  const Eigen::Matrix3d near_rotation = motion.topLeftCorner<3, 3>();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(near_rotation,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() = svd.matrixU() * svd.matrixV().transpose();
+  result.translation() =
+      unit_ * motion.topRightCorner<3, 1>() + center_ - result.linear() * center_;
+  return result;
+}
+
+}  // namespace posture
