@@ -5,6 +5,7 @@
 #include <posture/io/mesh_io.h>
 #include <posture/io/shape_io.h>
 #include <posture/synthesis/articulated_body.h>
+#include <posture/synthesis/rigid_pair.h>
 #include <posture/synthesis/simulated_scan.h>
 
 #include <nlohmann/json.hpp>
@@ -34,6 +35,7 @@ struct SynthesizeOptions {
   std::vector<int> tessellations = {0};
   bool remesh = false;
   BodyOptions body;
+  bool rigid = false;
   bool scan = false;
   ScanOptions scanner;
 };
@@ -126,6 +128,14 @@ class PairList {
                describe(source, target));
   }
 
+  /// The same for a body that holds still.
+  Json addRigid(const std::string& family, const Shape& source, const Shape& target) {
+    return add({family + "-rigid", family, "rigid", source.meshFile(), target.meshFile()},
+               groundTruth(source.body, target.body),
+               mirrorTruth(source.body, target.body),
+               describe(source, target) + "; moved as a whole");
+  }
+
   /// The same for the scans of the two.
   Json addScans(const std::string& family, const Shape& source, const Shape& target) {
     const std::string id = source.name + "-pose" + std::to_string(target.options.pose) + "-scan";
@@ -191,7 +201,36 @@ Json writeShape(const fs::path& folder, const Shape& shape, bool quiet) {
   return json;
 }
 
+/// Two scans of the first pose, the body moved in between.
+void synthesizeRigid(const SynthesizeOptions& options, const Common& common) {
+  makeFolder(options.folder);
+  Shape source, target;
+  source.options = target.options = options.body;
+  source.options.pose = target.options.pose = options.poses.front();
+  source.options.tessellation = options.tessellations.front();
+  target.options.tessellation = source.options.tessellation + 1;
+  RigidPair made = [&] {
+    try {
+      return makeRigidPair(source.options);
+    } catch (const std::invalid_argument& error) {
+      throw CLI::ValidationError("--rigid", error.what());
+    }
+  }();
+  source.body = std::move(made.source);
+  target.body = std::move(made.target);
+  source.name = options.kind + "-rigid-source";
+  target.name = options.kind + "-rigid-target";
+  const Json shapes = Json::array({writeShape(options.folder, source, common.quiet),
+                                   writeShape(options.folder, target, common.quiet)});
+  PairList list(options.folder, false);
+  const Json pair = list.addRigid(options.kind, source, target);
+  list.write();
+  if (common.json)
+    std::cout << Json{{"shapes", shapes}, {"pairs", Json::array({pair})}}.dump(1) << '\n';
+}
+
 void synthesize(const SynthesizeOptions& options, const Common& common) {
+  if (options.rigid) return synthesizeRigid(options, common);
   checkTogether(options);
   makeFolder(options.folder);
   Json shapes = Json::array(), pairs = Json::array();
@@ -272,7 +311,13 @@ void addSynthesize(CLI::App& app, Common& common) {
               "--noise", body.noise, "Standard deviation along the normal, in the same unit")
           ->check(CLI::Range(0.0, 1.0))
           ->capture_default_str();
-  addScanOptions(*verb, *options)->excludes(noise);
+  CLI::Option* const scan = addScanOptions(*verb, *options);
+  scan->excludes(noise);
+  verb->add_flag("--rigid",
+                 options->rigid,
+                 "Instead: the first pose scanned twice, moved a little as a whole in between, "
+                 "each time without another end")
+      ->excludes(scan);
   verb->callback([options, vertices, &common] {
     // A scan is judged on this mesh, which must not be coarser than the scan.
     if (options->scan && vertices->count() == 0) options->body.vertices = 20'000;

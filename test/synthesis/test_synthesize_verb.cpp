@@ -168,6 +168,23 @@ TEST(SynthesizeVerb, MakesTheScansOfTheDataFolder) {
   }
 }
 
+TEST(SynthesizeVerb, MakesTheRigidPairOfTheDataFolder) {
+  const TemporaryFolder folder;
+  const std::string made = folder / "rigid", kept = DATA_DIR "/rigid";
+  const ProgramRun ended =
+      synthesize({"-o", made, "--rigid", "--vertices", "2500", "--noise", "0.003", "--quiet"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"rigid"});
+  for (const char* file : {"/pairs.csv", "/quadruped-rigid.txt", "/quadruped-rigid-mirror.txt"})
+    EXPECT_EQ(bytesOf(made + file), bytesOf(kept + file)) << file;
+  for (const char* file : {"/quadruped-rigid-source.ply", "/quadruped-rigid-target.ply"}) {
+    const TriangleMesh a = readMesh(made + file).mesh, b = readMesh(kept + file).mesh;
+    ASSERT_TRUE(a.faces == b.faces);
+    EXPECT_LT((a.vertices - b.vertices).cwiseAbs().maxCoeff(), 1e-9);
+  }
+  EXPECT_EQ(synthesize({"-o", made, "--rigid", "--scan"}).exit_code, 2);
+}
+
 TEST(SynthesizeVerb, KeepsTheGridOfASingleView) {
   const TemporaryFolder folder;
   EXPECT_EQ(synthesize({"-o",

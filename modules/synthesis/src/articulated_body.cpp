@@ -5,6 +5,7 @@
 #include <posture/synthesis/articulated_body.h>
 
 #include "isosurface.h"
+#include "keep_vertices.h"
 #include "poses.h"
 #include "remesh.h"
 #include "scan_defects.h"
@@ -40,13 +41,17 @@ Rng defectRng(const BodyOptions& options) {
   return Rng(mix_tessellation.next());
 }
 
-void keepVertices(ArticulatedBody& body, const PunchedMesh& punched) {
-  const std::vector<int>& kept = punched.survivor;
+}  // namespace
+
+namespace synthesis {
+
+void keepVertices(ArticulatedBody& body, const PunchedMesh& left) {
+  const std::vector<int>& kept = left.survivor;
   const Points posed = body.mesh.vertices, rest = body.rest_position;
   const std::vector<int> bone = body.bone;
   const Vector weight = body.bone_weight;
   const auto n = static_cast<Eigen::Index>(kept.size());
-  body.mesh.faces = punched.faces;
+  body.mesh.faces = left.faces;
   body.mesh.vertices.resize(n, 3);
   body.rest_position.resize(n, 3);
   body.bone.resize(kept.size());
@@ -59,7 +64,7 @@ void keepVertices(ArticulatedBody& body, const PunchedMesh& punched) {
   }
 }
 
-}  // namespace
+}  // namespace synthesis
 
 ArticulatedBody makeBody(const BodyOptions& options) {
   check(options);

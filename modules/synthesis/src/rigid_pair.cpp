@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/synthesis/rigid_pair.h>
+
+#include "keep_vertices.h"
+#include <cmath>
+#include <vector>
+
+namespace posture {
+namespace {
+
+using namespace synthesis;
+
+constexpr double MISSING = 0.2;  // of the length
+constexpr double TURN = 0.1;     // radians
+constexpr double SHIFT = 0.04;   // of the length
+const Eigen::Vector3d TURN_AXIS = Eigen::Vector3d(2, -1, 3).normalized();
+const Eigen::Vector3d SHIFT_DIRECTION = Eigen::Vector3d(1, 2, -2) / 3;
+
+/// What lies between two places along an axis.
+void crop(ArticulatedBody& body, int axis, double low, double high) {
+  const TriangleMesh& mesh = body.mesh;
+  const auto isInside = [&](int v) {
+    return mesh.vertices(v, axis) >= low && mesh.vertices(v, axis) <= high;
+  };
+  std::vector<int> faces;
+  std::vector<int> new_number(mesh.vertices.rows(), -1);
+  for (int f = 0; f < mesh.faces.rows(); ++f)
+    if (isInside(mesh.faces(f, 0)) && isInside(mesh.faces(f, 1)) && isInside(mesh.faces(f, 2))) {
+      faces.push_back(f);
+      for (int k = 0; k < 3; ++k) new_number[mesh.faces(f, k)] = 0;
+    }
+  PunchedMesh left;
+  for (int v = 0; v < mesh.vertices.rows(); ++v)
+    if (new_number[v] == 0) {
+      new_number[v] = static_cast<int>(left.survivor.size());
+      left.survivor.push_back(v);
+    }
+  left.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (int k = 0; k < 3; ++k)
+      left.faces(static_cast<Eigen::Index>(f), k) = new_number[mesh.faces(faces[f], k)];
+  keepVertices(body, left);
+}
+
+}  // namespace
+
+RigidPair makeRigidPair(const BodyOptions& options) {
+  BodyOptions again = options;
+  ++again.tessellation;
+  RigidPair pair{makeBody(options), makeBody(again), Eigen::Isometry3d::Identity()};
+
+  const Points& whole = pair.target.mesh.vertices;
+  const Eigen::Vector3d low = whole.colwise().minCoeff(), high = whole.colwise().maxCoeff();
+  int axis = 0;
+  const double length = (high - low).maxCoeff(&axis);
+  const Eigen::Vector3d middle = (low + high) / 2;
+  crop(pair.source, axis, low[axis] + MISSING * length, HUGE_VAL);
+  crop(pair.target, axis, -HUGE_VAL, high[axis] - MISSING * length);
+
+  Eigen::Isometry3d away = Eigen::Isometry3d::Identity();
+  away.translate(middle + SHIFT * length * SHIFT_DIRECTION);
+  away.rotate(Eigen::AngleAxisd(TURN, TURN_AXIS));
+  away.translate(-middle);
+  Points& source = pair.source.mesh.vertices;
+  source = ((source * away.linear().transpose()).rowwise() + away.translation().transpose()).eval();
+  pair.T_target_source = away.inverse();
+  return pair;
+}
+
+}  // namespace posture
