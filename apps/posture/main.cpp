@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
   addSegment(app, common);
   addEvaluate(app, common);
   addBenchmark(app, common);
+  addCompare(app, common);
   addSynthesize(app, common);
   addRender(app, common);
 

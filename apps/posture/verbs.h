@@ -26,6 +26,7 @@ void addReconstruct(CLI::App& app, Common& common);
 void addSegment(CLI::App& app, Common& common);
 void addEvaluate(CLI::App& app, Common& common);
 void addBenchmark(CLI::App& app, Common& common);
+void addCompare(CLI::App& app, Common& common);
 void addSynthesize(CLI::App& app, Common& common);
 void addRender(CLI::App& app, Common& common);
 

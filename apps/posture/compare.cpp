@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
+
+#include "child_process.h"
+#include "child_run.h"
+#include "compare_report.h"
+#include "compare_run.h"
+#include "compare_variation.h"
+#include "folder.h"
+#include "pair_data.h"
+#include "pair_selection.h"
+#include "run_progress.h"
+#include "verbs.h"
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace posture::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CompareOptions {
+  fs::path source;  // or the list
+  fs::path target;  // empty: a list is given
+  fs::path truth, mirror_truth, folder;
+  PairSelection selection;
+  std::vector<std::string> methods, variations;
+  bool fresh = false;
+  double time_limit = 900;  // seconds a run
+};
+
+std::vector<std::string> methodKeys() {
+  std::vector<std::string> keys;
+  for (const ComparedMethod& method : comparedMethods()) keys.push_back(method.key);
+  return keys;
+}
+
+bool isAmong(const std::vector<std::string>& asked, const std::string& name) {
+  return asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end();
+}
+
+bool isAsked(const ComparedRun& run, const CompareOptions& options) {
+  return options.selection.has(run.pair) && isAmong(options.methods, run.method) &&
+         isAmong(options.variations, run.variation);
+}
+
+/// The list, or the pair that is given; its files are read now, not in the last of many runs.
+std::vector<BenchmarkPair> pairsOf(const CompareOptions& options) {
+  if (options.target.empty()) {
+    if (!options.truth.empty() || !options.mirror_truth.empty())
+      throw CLI::ValidationError("--truth and --mirror", "are for SOURCE and TARGET");
+    const std::vector<BenchmarkPair> pairs = readPairList(options.source);
+    options.selection.check(pairs);
+    return pairs;
+  }
+  if (!options.selection.empty())
+    throw CLI::ValidationError("--family and --pair", "are for a list of pairs");
+  BenchmarkPair pair;
+  pair.id = "pair";
+  pair.source = options.source;
+  pair.target = options.target;
+  pair.truth = options.truth;
+  pair.mirror_truth = options.mirror_truth;
+  readPair(pair);
+  return {pair};
+}
+
+/// All there are, in the order of the tables.
+std::vector<ComparedRun> runsOf(const CompareOptions& options, const Common& common) {
+  std::vector<ComparedRun> runs;
+  for (const BenchmarkPair& pair : pairsOf(options))
+    for (const std::string& variation : variations())
+      for (const std::string& method : methodKeys())
+        runs.push_back({pair, method, variation, common.seed});
+  return runs;
+}
+
+ChildRun childRun(const ComparedRun& run, const CompareOptions& options, const Common& common) {
+  ChildRun child;
+  child.described = describeRun(run);
+  child.result_file =
+      options.folder / "runs" / (run.pair.id + "." + run.variation + "." + run.method + ".json");
+  child.arguments = {"compare-run", child.described.dump(), child.result_file.string()};
+  if (common.threads > 0)
+    child.arguments.insert(child.arguments.end(), {"--threads", std::to_string(common.threads)});
+  child.time_limit = options.time_limit;
+  return child;
+}
+
+void print(const Comparison& comparison, const fs::path& folder) {
+  std::printf("%s\n%s\n", toText(comparison.errors).c_str(), toText(comparison.fits).c_str());
+  for (const std::string& verdict : comparison.verdicts) std::printf("%s\n", verdict.c_str());
+  std::printf("What the columns are: %s\n", (folder / "comparison.md").c_str());
+}
+
+void compare(const CompareOptions& options, const Common& common) {
+  const std::vector<ComparedRun> runs = runsOf(options, common);
+  makeFolder(options.folder / "runs");
+  checkWritable(options.folder / "comparison.md");
+  const auto asked = std::count_if(
+      runs.begin(), runs.end(), [&](const auto& run) { return isAsked(run, options); });
+  RunProgress progress(common.quiet, static_cast<std::size_t>(asked));
+  std::vector<Json> results;  // also of what is not asked for now, where it was before
+  for (const ComparedRun& run : runs) {
+    const ChildRun child = childRun(run, options, common);
+    Json result = storedResult(child);
+    if (isAsked(run, options)) {
+      progress.begin(run.pair.id + " " + run.variation + " " + run.method);
+      if (options.fresh || result.is_null()) {
+        result = runInChild(child, [&] { progress.wait(); });
+        progress.end(result);
+      }
+    }
+    if (!result.is_null()) results.push_back(std::move(result));
+  }
+  const Comparison comparison = summarizeRuns(results);
+  const Json summary = writeComparison(results, comparison, options.folder);
+  if (common.json)
+    std::cout << summary.dump(1) << '\n';
+  else if (!common.quiet)
+    print(comparison, options.folder);
+}
+
+void compareRun(const std::string& request, const fs::path& result_file) {
+  endWithParent();
+  writeText(result_file, runCompared(comparedRun(Json::parse(request))).dump(1) + "\n");
+}
+
+}  // namespace
+
+void addCompare(CLI::App& app, Common& common) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "compare", "Registration beside PCL's rigid ones (ICP, GICP, NDT, features): one table");
+  verb->add_option("SOURCE", options->source, "Mesh or points; alone: a CSV list of pairs")
+      ->required();
+  verb->add_option("TARGET", options->target, "The same, in any frame and unit");
+  verb->add_option("--truth", options->truth, "File of `source target` rows, or: identity");
+  verb->add_option(
+      "--mirror", options->mirror_truth, "As --truth, for the left-right mirrored answer");
+  verb->add_option("-o,--output", options->folder, "Folder for the results")->required();
+  addSelection(*verb, options->selection);
+  verb->add_option("--method", options->methods, "Only this method (repeatable)")
+      ->check(CLI::IsMember(methodKeys()));
+  verb->add_option("--variation",
+                   options->variations,
+                   "Only the source aligned: as given; turned; or scaled: turned, a thousand times "
+                   "as large and shuffled (repeatable)")
+      ->check(CLI::IsMember(variations()));
+  verb->add_flag("--fresh", options->fresh, "Run again what already has a result");
+  verb->add_option("--time-limit", options->time_limit, "Seconds after which a run has failed")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->callback([options, &common] { compare(*options, common); });
+
+  auto request = std::make_shared<std::string>();
+  auto result_file = std::make_shared<fs::path>();
+  CLI::App* hidden = app.add_subcommand("compare-run", "One run of a comparison")->group("");
+  hidden->add_option("REQUEST", *request)->required();
+  hidden->add_option("RESULT", *result_file)->required();
+  hidden->callback([request, result_file] { compareRun(*request, *result_file); });
+}
+
+}  // namespace posture::app

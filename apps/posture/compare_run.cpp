@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare_run.h"
+
+#include <posture/baselines/rigid_registration.h>
+#include <posture/core/error.h>
+#include <posture/evaluation/closeness.h>
+#include <posture/mesh/normals.h>
+#include <posture/mesh/point_index.h>
+#include <posture/report/peak_memory.h>
+
+#include "child_run.h"
+#include "compare_variation.h"
+#include "pair_data.h"
+#include "target_places.h"
+#include <algorithm>
+#include <omp.h>
+
+namespace posture::app {
+namespace {
+
+/// What a method made of a source, its rows in the order of that source.
+struct Outcome {
+  std::string status, message;
+  Points registered;  ///< in the target's frame; 0 x 3: nothing came out
+  std::vector<SurfacePoint> on_target;
+  double stretch = 0;  ///< mean |log| of the change of an edge's length
+  std::optional<double> trust;
+  std::optional<ScanSurface> target_scan;
+};
+
+Outcome registerByPosture(const Shape& source, const Shape& target) {
+  RegistrationResult result = registerShapes(source, target);
+  Outcome outcome;
+  outcome.status = result.status == Status::REGISTERED ? "registered" : "undecided";
+  outcome.message = result.message;
+  outcome.trust = result.trust;
+  if (result.deformed.rows() > 0) {
+    outcome.stretch = fitOf(source, target, result).mean_stretch;
+    outcome.registered = std::move(result.deformed);
+    outcome.on_target = std::move(result.correspondence.on_target);
+  }
+  outcome.target_scan = std::move(result.target_scan);
+  return outcome;
+}
+
+/// A mesh's normals are those of its faces.
+PointCloud cloudOf(const Shape& shape) {
+  PointCloud cloud = shape.cloud;
+  if (shape.faces.rows() > 0) cloud.normals = vertexNormals({cloud.points, shape.faces});
+  return cloud;
+}
+
+/// To each point the nearest of the target's; points that were not seen have none.
+std::vector<SurfacePoint> nearestPoints(const Points& registered, const Points& target) {
+  std::vector<int> seen;
+  Points finite(target.rows(), 3);
+  for (int i = 0; i < target.rows(); ++i)
+    if (target.row(i).allFinite()) {
+      finite.row(static_cast<Eigen::Index>(seen.size())) = target.row(i);
+      seen.push_back(i);
+    }
+  const PointIndex index(finite.topRows(static_cast<Eigen::Index>(seen.size())));
+  std::vector<SurfacePoint> places(registered.rows());
+  for (int i = 0; i < registered.rows(); ++i)
+    if (registered.row(i).allFinite())
+      places[i].vertex = seen[index.nearest(registered.row(i)).index];
+  return places;
+}
+
+Outcome moveAsAWhole(const Shape& source, const Shape& target, const RigidResult& motion) {
+  Outcome outcome;
+  outcome.message = motion.failure;
+  outcome.status = motion.converged ? "converged" : "not converged";
+  if (!motion.failure.empty()) {
+    outcome.status = "failed";
+    return outcome;
+  }
+  outcome.registered =
+      (source.cloud.points * motion.T_target_source.linear().transpose()).rowwise() +
+      motion.T_target_source.translation().transpose();
+  outcome.on_target = nearestPoints(outcome.registered, target.cloud.points);
+  return outcome;
+}
+
+Outcome apply(const ComparedRun& run, const Shape& source, const Shape& target) {
+  if (run.method == "posture") return registerByPosture(source, target);
+  if (run.method == "as-given") {
+    Outcome outcome = moveAsAWhole(source, target, {});
+    outcome.status = "as given";
+    return outcome;
+  }
+  for (RigidMethod method : rigidMethods())
+    if (keyOf(method) == run.method)
+      return moveAsAWhole(
+          source, target, registerRigidly(method, cloudOf(source), cloudOf(target), run.seed));
+  throw std::invalid_argument("no method '" + run.method + "'");
+}
+
+/// Into the order as given.
+void restoreOrder(const std::vector<int>& given, Outcome& outcome) {
+  if (outcome.registered.rows() == 0) return;
+  const Points registered = outcome.registered;
+  const std::vector<SurfacePoint> places = outcome.on_target;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    outcome.registered.row(given[i]) = registered.row(static_cast<Eigen::Index>(i));
+    outcome.on_target[given[i]] = places[i];
+  }
+}
+
+void judgeErrors(const BenchmarkPair& pair,
+                 const PairData& data,
+                 const Outcome& outcome,
+                 Json& json) {
+  const TargetPlaces target(
+      data.target, pair.target_surface, pair.target_surface_vertices, outcome.target_scan);
+  const TargetMetric metric(target.mesh());
+  const std::vector<SurfacePoint> map = atVertices(target.onMesh(outcome.on_target));
+  const std::vector<VertexPair> truth = target.onMesh(data.truth);
+  json["errors"] = toJson(measureErrors(metric, map, truth));
+  if (!data.mirror_truth.empty())
+    json["mirror"] =
+        toJson(compareWithMirror(metric, map, truth, target.onMesh(data.mirror_truth)));
+}
+
+void judge(const BenchmarkPair& pair, const PairData& data, const Outcome& outcome, Json& json) {
+  const auto mapped = std::count_if(outcome.on_target.begin(),
+                                    outcome.on_target.end(),
+                                    [](const SurfacePoint& p) { return p.vertex >= 0; });
+  json["mapped"] = mapped;
+  json["stretch"] = outcome.stretch;
+  const Closeness close = measureCloseness(outcome.registered, data.target.cloud.points);
+  json["mean_distance"] = close.mean_distance;
+  json["source_near"] = close.moved_near;
+  json["target_near"] = close.target_near;
+  if (!data.truth.empty()) judgeErrors(pair, data, outcome, json);
+}
+
+Json registerAndJudge(const ComparedRun& run) {
+  const PairData data = readPair(run.pair);
+  const VariedShape source = vary(data.source, run.variation);
+  const auto start = std::chrono::steady_clock::now();
+  Outcome outcome = apply(run, source.shape, data.target);
+  const double seconds = data.read_seconds + secondsSince(start);
+  const double memory = peakMemoryMib();
+  restoreOrder(source.given, outcome);
+
+  Json json = describeRun(run);
+  json["status"] = outcome.status;
+  json["message"] = outcome.message;
+  if (outcome.trust) json["trust"] = *outcome.trust;
+  json["source_vertices"] = data.source.cloud.points.rows();
+  json["target_vertices"] = data.target.cloud.points.rows();
+  json["seconds"] = seconds;
+  json["peak_memory_mib"] = memory;
+  json["threads"] = omp_get_max_threads();
+  if (outcome.registered.rows() > 0) judge(run.pair, data, outcome, json);
+  return json;
+}
+
+}  // namespace
+
+const std::vector<ComparedMethod>& comparedMethods() {
+  static const std::vector<ComparedMethod> METHODS = [] {
+    std::vector<ComparedMethod> methods{{"posture", "posture"}, {"as-given", "as given"}};
+    for (RigidMethod method : rigidMethods()) methods.push_back({keyOf(method), nameOf(method)});
+    return methods;
+  }();
+  return METHODS;
+}
+
+Json describeRun(const ComparedRun& run) {
+  Json json = describePair(run.pair, run.method);
+  json["variation"] = run.variation;
+  json["seed"] = run.seed;
+  return json;
+}
+
+ComparedRun comparedRun(const Json& described) {
+  const auto text = [&](const char* key) { return described.at(key).get<std::string>(); };
+  ComparedRun run;
+  run.pair = {text("id"),
+              text("family"),
+              text("kind"),
+              text("source"),
+              text("target"),
+              text("truth"),
+              text("mirror_truth"),
+              text("note"),
+              text("target_surface"),
+              text("target_surface_vertices")};
+  run.method = text("method");
+  run.variation = text("variation");
+  run.seed = described.at("seed");
+  return run;
+}
+
+Json runCompared(const ComparedRun& run) {
+  try {
+    return registerAndJudge(run);
+  } catch (const InputError& error) {
+    return failedRun(describeRun(run), "not run", error.what());
+  }
+}
+
+}  // namespace posture::app

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/evaluation/pair_list.h>
+#include <posture/io/mesh_io.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/program.h"
+#include "support/shapes.h"
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace posture {
+namespace {
+
+using nlohmann::json;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace fs = std::filesystem;
+
+const std::string POSTURE = std::string(PROGRAM_DIR) + "/posture";
+constexpr int VERTICES = 147;
+
+/// A strip, the same moved a little, and the same bent.
+class Compare : public testing::Test {
+ protected:
+  void SetUp() override {
+    const TriangleMesh flat = strip(0);
+    TriangleMesh moved = flat;
+    moved.vertices.rowwise() += Eigen::RowVector3d(0.03, -0.02, 0.04);
+    writeMesh(folder_ / "flat.off", flat);
+    writeMesh(folder_ / "moved.off", moved);
+    writeMesh(folder_ / "bent.off", strip(1.5));
+    std::ofstream(folder_ / "pairs.csv") << "id,family,kind,source,target,truth\n"
+                                            "rigid,stiff,rigid,flat.off,moved.off,identity\n"
+                                            "bent,soft,isometric,flat.off,bent.off,identity\n"
+                                            "missing,soft,isometric,none.off,bent.off,identity\n";
+  }
+
+  /// Wider at one end, so that its ends differ.
+  static TriangleMesh strip(double angle) {
+    TriangleMesh mesh = test::bentStrip(20, 6, 4, 1, angle);
+    const TriangleMesh flat = test::bentStrip(20, 6, 4, 1, 0);
+    for (int v = 0; v < mesh.vertices.rows(); ++v)
+      mesh.vertices(v, 1) *= 1 + 0.2 * flat.vertices(v, 0);
+    return mesh;
+  }
+
+  test::ProgramRun compare(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "compare");
+    arguments.insert(arguments.end(), {"-o", out_.string()});
+    return test::run(POSTURE, arguments);
+  }
+
+  /// The quick methods alone.
+  test::ProgramRun comparePairs(std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {folder_ / "pairs.csv", "--method", "as-given", "--method", "icp"});
+    return compare(more);
+  }
+
+  json result(const std::string& run) const {
+    return json::parse(test::bytesOf(out_ / "runs" / (run + ".json")));
+  }
+
+  fs::file_time_type written(const std::string& run) const {
+    return fs::last_write_time(out_ / "runs" / (run + ".json"));
+  }
+
+  const test::TemporaryFolder folder_;
+  const fs::path out_ = folder_ / "results";
+};
+
+TEST_F(Compare, APairByEveryMethod) {
+  const auto end = compare({folder_ / "flat.off",
+                            folder_ / "moved.off",
+                            "--truth",
+                            "identity",
+                            "--variation",
+                            "aligned"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  for (const char* method :
+       {"posture", "as given", "ICP", "ICP point to plane", "GICP", "NDT", "FPFH + ICP"})
+    EXPECT_THAT(end.out, HasSubstr(method));
+  EXPECT_THAT(end.out, HasSubstr("Source aligned: the best method is "));
+
+  const json icp = result("pair.aligned.icp");
+  EXPECT_EQ(icp["status"], "converged");
+  EXPECT_LT(icp["errors"]["mean_x100"], 0.1);  // a shift within the capture of ICP
+  EXPECT_EQ(icp["errors"]["mapped_pairs"], VERTICES);
+  EXPECT_EQ(icp["stretch"], 0);
+  EXPECT_LT(icp["mean_distance"], 1e-3);
+  EXPECT_EQ(icp["source_near"], 1);
+  EXPECT_GT(icp["seconds"], 0);
+  EXPECT_GT(icp["peak_memory_mib"], 1);
+  EXPECT_GT(result("pair.aligned.as-given")["mean_distance"], icp["mean_distance"]);
+  EXPECT_EQ(result("pair.aligned.as-given")["status"], "as given");
+
+  const auto rows = parseCsv(test::bytesOf(out_ / "comparison.csv"));
+  ASSERT_EQ(rows.size(), 8u);
+  EXPECT_EQ(json::parse(test::bytesOf(out_ / "comparison.json"))["runs"].size(), 7u);
+  EXPECT_THAT(test::bytesOf(out_ / "comparison.md"), HasSubstr("curves-aligned.svg"));
+  EXPECT_THAT(test::bytesOf(out_ / "curves-aligned.svg"), HasSubstr("FPFH + ICP"));
+}
+
+TEST_F(Compare, MirroredAnswersAreToldFromTrueOnes) {
+  std::ofstream mirror(folder_ / "mirror.txt");
+  for (int v = 0; v < VERTICES; ++v) mirror << v << " " << VERTICES - 1 - v << "\n";
+  mirror.close();
+  const auto end = compare({folder_ / "flat.off",
+                            folder_ / "moved.off",
+                            "--truth",
+                            "identity",
+                            "--mirror",
+                            folder_ / "mirror.txt",
+                            "--method",
+                            "as-given",
+                            "--variation",
+                            "aligned"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_EQ(result("pair.aligned.as-given")["mirror"]["wrong_side"], false);
+  EXPECT_THAT(end.out, HasSubstr("right"));
+}
+
+TEST_F(Compare, WithoutATruthItSaysThatNoneIsKnown) {
+  const auto end = compare({folder_ / "flat.off", folder_ / "moved.off", "--method", "icp"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_THAT(end.out, HasSubstr("no truth is known"));
+  EXPECT_THAT(end.out, Not(HasSubstr("the best method")));
+  EXPECT_FALSE(result("pair.aligned.icp").contains("errors"));
+  EXPECT_FALSE(fs::exists(out_ / "curves-aligned.svg"));
+}
+
+TEST_F(Compare, VariationsMoveAndScaleAndShuffleTheSource) {
+  ASSERT_EQ(compare({folder_ / "flat.off",
+                     folder_ / "flat.off",
+                     "--truth",
+                     "identity",
+                     "--method",
+                     "as-given",
+                     "--method",
+                     "posture"})
+                .exit_code,
+            0);
+  EXPECT_NEAR(result("pair.aligned.as-given")["mean_distance"], 0, 1e-6);
+  EXPECT_NEAR(result("pair.aligned.as-given")["errors"]["mean_x100"], 0, 1e-6);
+  EXPECT_GT(result("pair.turned.as-given")["mean_distance"], 0.1);
+  EXPECT_GT(result("pair.scaled.as-given")["mean_distance"], 100);
+  // Where it came from, and in what order, is nothing to a method that looks at the shape.
+  const double aligned = result("pair.aligned.posture")["errors"]["mean_x100"];
+  for (const char* variation : {"turned", "scaled"}) {
+    const json other = result(std::string("pair.") + variation + ".posture");
+    EXPECT_NEAR(other["errors"]["mean_x100"], aligned, 0.02 * aligned + 1e-3) << variation;
+  }
+}
+
+TEST_F(Compare, AListGivesARowAMethodAndVariation) {
+  const auto end = comparePairs({"--variation", "aligned"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_EQ(std::count(end.err.begin(), end.err.end(), '\n'), 6) << end.err;  // a line a run
+  EXPECT_EQ(result("missing.aligned.icp")["status"], "not run");
+  EXPECT_THAT(result("missing.aligned.icp")["message"], HasSubstr("none.off"));
+  const std::string page = test::bytesOf(out_ / "comparison.md");
+  EXPECT_THAT(page, HasSubstr("| stiff |  soft |"));
+  EXPECT_THAT(page, HasSubstr("of 2 pairs with a truth, the best method is "));
+  EXPECT_LT(result("rigid.aligned.icp")["errors"]["mean_x100"],
+            result("bent.aligned.icp")["errors"]["mean_x100"]);
+}
+
+TEST_F(Compare, ResumesAndKeepsWhatIsNotAskedFor) {
+  ASSERT_EQ(comparePairs({"--variation", "aligned", "--pair", "rigid"}).exit_code, 0);
+  const auto before = written("rigid.aligned.icp");
+  const auto again = comparePairs({"--variation", "aligned", "--variation", "turned"});
+  ASSERT_EQ(again.exit_code, 0);
+  EXPECT_EQ(std::count(again.err.begin(), again.err.end(), '\n'), 10) << again.err;
+  EXPECT_EQ(written("rigid.aligned.icp"), before);
+
+  ASSERT_EQ(comparePairs({"--variation", "turned", "--family", "stiff", "--fresh"}).exit_code, 0);
+  EXPECT_EQ(written("rigid.aligned.icp"), before);
+  EXPECT_EQ(parseCsv(test::bytesOf(out_ / "comparison.csv")).size(), 13u);
+
+  std::ofstream(out_ / "runs/rigid.aligned.icp.json") << "{\"id\": \"ri";
+  ASSERT_EQ(comparePairs({"--variation", "aligned"}).exit_code, 0);
+  EXPECT_EQ(result("rigid.aligned.icp")["status"], "converged");
+}
+
+TEST_F(Compare, ARunThatTakesTooLongHasFailed) {
+  const auto end = comparePairs(
+      {"--quiet", "--pair", "rigid", "--variation", "aligned", "--time-limit", "0.001"});
+  EXPECT_EQ(end.exit_code, 0);
+  EXPECT_EQ(result("rigid.aligned.icp")["status"], "failed");
+  EXPECT_THAT(result("rigid.aligned.icp")["message"], HasSubstr("took longer than"));
+}
+
+TEST_F(Compare, QuietAndJson) {
+  const auto quiet = comparePairs({"--quiet", "--pair", "rigid", "--variation", "aligned"});
+  EXPECT_EQ(quiet.out + quiet.err, "");
+  const auto as_json =
+      comparePairs({"--quiet", "--json", "--pair", "rigid", "--variation", "aligned"});
+  EXPECT_EQ(as_json.err, "");
+  const json summary = json::parse(as_json.out);
+  EXPECT_EQ(summary["runs"].size(), 2u);
+  EXPECT_EQ(summary["verdicts"].size(), 1u);
+}
+
+TEST_F(Compare, SaysWhatItCannotUse) {
+  const auto missing = compare({folder_ / "none.off", folder_ / "bent.off"});
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_TRUE(test::saidWhyInOneLine(missing)) << missing.err;
+  EXPECT_FALSE(fs::exists(out_ / "runs"));
+  const auto no_truth =
+      compare({folder_ / "flat.off", folder_ / "bent.off", "--truth", folder_ / "none.txt"});
+  EXPECT_EQ(no_truth.exit_code, 3);
+  EXPECT_TRUE(test::saidWhyInOneLine(no_truth)) << no_truth.err;
+  for (const std::vector<std::string>& wrong :
+       {std::vector<std::string>{folder_ / "pairs.csv", "--truth", "identity"},
+        {folder_ / "pairs.csv", "--family", "cat"},
+        {folder_ / "flat.off", folder_ / "bent.off", "--pair", "bent"},
+        {folder_ / "pairs.csv", "--method", "icq"},
+        {folder_ / "pairs.csv", "--variation", "upside-down"}}) {
+    const auto end = compare(wrong);
+    EXPECT_EQ(end.exit_code, 2) << wrong.back();
+    EXPECT_TRUE(test::saidWhyInOneLine(end)) << end.err;
+  }
+}
+
+}  // namespace
+}  // namespace posture
