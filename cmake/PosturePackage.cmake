@@ -15,6 +15,9 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_COMPONENTS_ALL commands rendering development)
+if(TARGET posture_node)
+  list(APPEND CPACK_COMPONENTS_ALL ros)
+endif()
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/packaging/complete.cmake)
 # For that script: it sees variables named like this.
 set(CPACK_POSTURE_SOURCE_DIR ${PROJECT_SOURCE_DIR})
@@ -46,6 +49,14 @@ Draws meshes and point clouds into one picture, without a screen: the verb
 
 Also brings what else of posture needs VTK: PCL's Poisson surface, one of the
 ways to lay a surface through points.")
+
+set(CPACK_DEBIAN_ROS_PACKAGE_NAME posture-ros)
+set(CPACK_DEBIAN_ROS_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_ROS_PACKAGE_DEPENDS "posture, python3-roslaunch")
+set(CPACK_COMPONENT_ROS_DESCRIPTION "registration of bending bodies as a ROS node
+Two point clouds in, by topics or files; the first bent onto the second, both
+in corresponding colours, correspondences, near-rigid parts and diagnostics
+out. With launch files for it and for the comparison with rigid methods.")
 
 get_property(components GLOBAL PROPERTY POSTURE_COMPONENTS)
 set(needed)

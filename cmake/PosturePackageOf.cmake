@@ -27,6 +27,10 @@ macro(posture_package_of target)
     set(package_find "liblzf")
     set(package_requires "liblzf")
     set(package_debian "liblzf-dev")
+  elseif("${target}" MATCHES "^pcl_.+$" AND NOT TARGET ${target})
+    # A library by its plain name, where PCL's component of that name brings VTK and Qt.
+    set(package_libs -l${target})
+    set(package_debian "libpcl-dev (>= 1.13)")
   elseif("${target}" MATCHES "^pcl_(.+)$")
     set(package_find "PCL 1.13 COMPONENTS ${CMAKE_MATCH_1}")
     # Not by PCL's pkg-config files: they bring FLANN's, and with it MPI.

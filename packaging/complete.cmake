@@ -15,7 +15,7 @@ foreach(component ${CPACK_COMPONENTS_ALL})
   execute_process(COMMAND gzip -9n ${doc}/changelog ${doc}/changelog.Debian ${manuals}
     COMMAND_ERROR_IS_FATAL ANY)
   file(GLOB_RECURSE archives ${usr}/lib/*.a)
-  file(GLOB_RECURSE binaries ${usr}/bin/* ${usr}/lib/*.so)
+  file(GLOB_RECURSE binaries ${usr}/bin/* ${usr}/lib/*.so ${usr}/lib/posture/posture_node)
   if(archives)
     execute_process(COMMAND strip --strip-debug ${strip_options} --enable-deterministic-archives ${archives}
       COMMAND_ERROR_IS_FATAL ANY)

@@ -114,6 +114,10 @@ check_package() {
     share/man/man1/posture-render.1.gz share/doc/posture-render/copyright
   has libposture-dev include/posture/core/types.h '.*/libposture_pipeline.a' \
     '.*/cmake/posture/postureConfig.cmake' '.*/pkgconfig/posture.pc' share/doc/libposture-dev/copyright
+  if [[ $ROS == 1 ]]; then
+    has posture-ros lib/posture/posture_node share/posture/launch/register.launch \
+      share/posture/package.xml share/posture/posture_command share/doc/posture-ros/copyright
+  fi
   local depends
   depends=$(dpkg-deb -f "$WORK/package"/posture_*.deb Depends)
   grep -q libpcl-common <<<"$depends" || fail "posture does not depend on what it links"
