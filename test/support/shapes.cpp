@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -87,6 +88,67 @@ TriangleMesh bentStrip(int columns, int rows, double length, double width, doubl
     mesh.vertices(i, 2) = radius * (1 - std::cos(phi));
   }
   return mesh;
+}
+
+TriangleMesh torus(int around, int across, double ring_radius, double tube_radius) {
+  constexpr double TURN = 2 * 3.141592653589793;
+  TriangleMesh mesh{Points(around * across, 3), Faces(2 * around * across, 3)};
+  int face = 0;
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j < across; ++j) {
+      const double u = TURN * i / around, v = TURN * j / across;
+      const double r = ring_radius + tube_radius * std::cos(v);
+      mesh.vertices.row(i * across + j) << r * std::cos(u), r * std::sin(u),
+          tube_radius * std::sin(v);
+      const int a = i * across + j, b = (i + 1) % around * across + j,
+                c = (i + 1) % around * across + (j + 1) % across, d = i * across + (j + 1) % across;
+      mesh.faces.row(face++) << a, b, c;
+      mesh.faces.row(face++) << a, c, d;
+    }
+  return mesh;
+}
+
+TriangleMesh fused(const TriangleMesh& mesh, int a, int b) {
+  // The ring around a vertex, as its faces run.
+  const auto ringOf = [&](int center) {
+    std::map<int, int> next;
+    for (int f = 0; f < mesh.faces.rows(); ++f)
+      for (int k = 0; k < 3; ++k)
+        if (mesh.faces(f, k) == center)
+          next[mesh.faces(f, (k + 1) % 3)] = mesh.faces(f, (k + 2) % 3);
+    std::vector<int> ring{next.begin()->first};
+    while (next[ring.back()] != ring.front()) ring.push_back(next[ring.back()]);
+    return ring;
+  };
+  const std::vector<int> one = ringOf(a);
+  std::vector<int> other = ringOf(b);
+  std::reverse(other.begin(), other.end());
+  const auto apart = [&](int v, int w) {
+    return (mesh.vertices.row(v) - mesh.vertices.row(w)).norm();
+  };
+  std::rotate(other.begin(),
+              std::min_element(other.begin(),
+                               other.end(),
+                               [&](int v, int w) { return apart(v, one[0]) < apart(w, one[0]); }),
+              other.end());
+  std::vector<Eigen::RowVector3i> faces;
+  for (int f = 0; f < mesh.faces.rows(); ++f)
+    if ((mesh.faces.row(f).array() != a && mesh.faces.row(f).array() != b).all())
+      faces.emplace_back(mesh.faces.row(f));
+  for (std::size_t i = 0, j = 0; i < one.size() || j < other.size();) {
+    const int p = one[i % one.size()], p_next = one[(i + 1) % one.size()],
+              q = other[j % other.size()], q_next = other[(j + 1) % other.size()];
+    if (j == other.size() || (i < one.size() && apart(p_next, q) < apart(p, q_next))) {
+      faces.emplace_back(p, p_next, q);
+      ++i;
+    } else {
+      faces.emplace_back(p, q_next, q);
+      ++j;
+    }
+  }
+  TriangleMesh result{mesh.vertices, Faces(faces.size(), 3)};
+  for (std::size_t f = 0; f < faces.size(); ++f) result.faces.row(f) = faces[f];
+  return result;
 }
 
 Points randomPoints(int count, std::uint64_t seed) {

@@ -18,6 +18,15 @@ TriangleMesh sphere(int levels);
 /// without stretching: vertex numbering is that of grid().
 TriangleMesh bentStrip(int columns, int rows, double length, double width, double angle);
 
+/// A torus about the z axis: `around` x `across` quads cut into triangles, vertex
+/// i * across + j at i steps around and j steps across, from the outermost circle.
+TriangleMesh torus(int around, int across, double ring_radius, double tube_radius);
+
+/// A closed surface grown together with itself: the faces at two vertices, which must be neither
+/// neighbours nor on a boundary, are replaced by a tube between the rings around them. Both
+/// vertices are left without a face. One handle more.
+TriangleMesh fused(const TriangleMesh& mesh, int a, int b);
+
 /// count x 3, each coordinate standard normal.
 Points randomPoints(int count, std::uint64_t seed);
 

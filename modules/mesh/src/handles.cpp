@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/half_edge_mesh.h>
+#include <posture/mesh/handles.h>
+#include <posture/mesh/vertex_neighbors.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+namespace posture {
+namespace {
+
+constexpr double FAR = std::numeric_limits<double>::infinity();
+
+using Entry = std::pair<double, int>;
+using Front = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
+
+/// Sets that grow together.
+class Unions {
+ public:
+  explicit Unions(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  int root(int x) {
+    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
+    return x;
+  }
+  /// False if they were one set before.
+  bool join(int a, int b) {
+    a = root(a);
+    b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+/// For each half-edge of the boundary the number of its hole, from 0; -1 for the others.
+std::vector<int> holesOf(const HalfEdgeMesh& mesh, int& holes) {
+  const int n = mesh.halfEdgeCount();
+  std::vector<int> hole(n, -1);
+  holes = 0;
+  for (int start = 0; start < n; ++start) {
+    if (mesh.twin(start) >= 0 || hole[start] >= 0) continue;
+    // The boundary goes on from the end of h: turning about it leads to the edge without a face.
+    for (int h = start; hole[h] < 0;) {
+      hole[h] = holes;
+      h = HalfEdgeMesh::next(h);
+      while (mesh.twin(h) >= 0) h = HalfEdgeMesh::next(mesh.twin(h));
+    }
+    ++holes;
+  }
+  return hole;
+}
+
+struct Ways {
+  Vector distance;
+  std::vector<int> before;
+};
+
+/// Dijkstra's, until `to` is reached; -1: everywhere.
+Ways waysFrom(const TriangleMesh& mesh, const std::vector<int>& from, int to) {
+  const int n = static_cast<int>(mesh.vertices.rows());
+  const VertexNeighbors neighbors(mesh.faces, n);
+  Ways ways{Vector::Constant(n, FAR), std::vector<int>(n, -1)};
+  Front front;
+  for (int v : from) {
+    ways.distance[v] = 0;
+    front.emplace(0, v);
+  }
+  while (!front.empty()) {
+    const auto [reached, v] = front.top();
+    front.pop();
+    if (v == to) break;
+    if (reached > ways.distance[v]) continue;
+    for (const int* w = neighbors.begin(v); w != neighbors.end(v); ++w) {
+      const double reach = reached + (mesh.vertices.row(v) - mesh.vertices.row(*w)).norm();
+      if (reach >= ways.distance[*w]) continue;
+      ways.distance[*w] = reach;
+      ways.before[*w] = v;
+      front.emplace(reach, *w);
+    }
+  }
+  return ways;
+}
+
+}  // namespace
+
+Handles::Handles(const TriangleMesh& mesh) : vertices_(static_cast<int>(mesh.vertices.rows())) {
+  const HalfEdgeMesh edges(mesh.faces, vertices_);
+  int holes = 0;
+  const std::vector<int> hole = holesOf(edges, holes);
+  const int faces = static_cast<int>(mesh.faces.rows());
+  regions_ = faces + holes;
+  for (int h = 0; h < edges.halfEdgeCount(); ++h) {
+    const int twin = edges.twin(h);
+    if (twin >= 0 && twin < h) continue;
+    const int a = edges.origin(h), b = edges.target(h);
+    sides_.push_back({a,
+                      b,
+                      h / 3,
+                      twin >= 0 ? twin / 3 : faces + hole[h],
+                      (mesh.vertices.row(a) - mesh.vertices.row(b)).norm()});
+  }
+  first_.assign(vertices_ + 1, 0);
+  for (const Side& side : sides_) {
+    ++first_[side.a + 1];
+    ++first_[side.b + 1];
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  steps_.resize(2 * sides_.size());
+  std::vector<int> next(first_.begin(), first_.end() - 1);
+  for (int s = 0; s < static_cast<int>(sides_.size()); ++s) {
+    steps_[next[sides_[s].a]++] = {sides_[s].b, s};
+    steps_[next[sides_[s].b]++] = {sides_[s].a, s};
+  }
+  // Euler and Poincare, over all connected parts.
+  Unions parts(vertices_);
+  int connected = edges.liveVertexCount();
+  for (const Side& side : sides_) connected -= parts.join(side.a, side.b) ? 1 : 0;
+  const int euler = edges.liveVertexCount() - static_cast<int>(sides_.size()) + regions_;
+  count_ = (2 * connected - euler) / 2;
+}
+
+std::vector<std::vector<int>> Handles::loopsThrough(int base) const {
+  if (count_ <= 0) return {};
+  std::vector<double> distance(vertices_, FAR);
+  std::vector<int> before(vertices_, -1), depth(vertices_, 0);
+  std::vector<char> in_tree(sides_.size(), 0), done(vertices_, 0);
+  std::vector<int> way(vertices_, -1);  // the side that led here
+  Front front;
+  distance[base] = 0;
+  front.emplace(0, base);
+  while (!front.empty()) {
+    const int v = front.top().second;
+    front.pop();
+    if (done[v]) continue;
+    done[v] = 1;
+    if (way[v] >= 0) in_tree[way[v]] = 1;
+    for (int i = first_[v]; i < first_[v + 1]; ++i) {
+      const auto [w, side] = steps_[i];
+      const double reach = distance[v] + sides_[side].length;
+      if (reach >= distance[w]) continue;
+      distance[w] = reach;
+      before[w] = v;
+      depth[w] = depth[v] + 1;
+      way[w] = side;
+      front.emplace(reach, w);
+    }
+  }
+  // The faces joined across the sides whose loops are longest; what then joins nothing is left.
+  const auto length = [&](int s) {
+    return distance[sides_[s].a] + distance[sides_[s].b] + sides_[s].length;
+  };
+  std::vector<int> order;
+  for (int s = 0; s < static_cast<int>(sides_.size()); ++s)
+    if (!in_tree[s] && done[sides_[s].a]) order.push_back(s);
+  std::vector<double> lengths(sides_.size());
+  for (int s : order) lengths[s] = length(s);
+  std::stable_sort(
+      order.begin(), order.end(), [&](int s, int t) { return lengths[s] > lengths[t]; });
+  Unions regions(regions_);
+  std::vector<std::vector<int>> loops;
+  for (int s : order) {
+    if (regions.join(sides_[s].one, sides_[s].other)) continue;
+    std::vector<int> there{sides_[s].a}, back{sides_[s].b};
+    while (there.back() != back.back())
+      if (depth[there.back()] >= depth[back.back()])
+        there.push_back(before[there.back()]);
+      else
+        back.push_back(before[back.back()]);
+    back.pop_back();
+    std::reverse(there.begin(), there.end());
+    there.insert(there.end(), back.begin(), back.end());
+    loops.push_back(std::move(there));
+  }
+  std::reverse(loops.begin(), loops.end());
+  return loops;
+}
+
+Vector pathLengths(const TriangleMesh& mesh, const std::vector<int>& from) {
+  return waysFrom(mesh, from, -1).distance;
+}
+
+std::vector<int> shortestPath(const TriangleMesh& mesh, int from, int to) {
+  const Ways ways = waysFrom(mesh, {from}, to);
+  if (ways.distance[to] == FAR) return {};
+  std::vector<int> path{to};
+  while (path.back() != from) path.push_back(ways.before[path.back()]);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+}  // namespace posture
