@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/pipeline/register_shapes.h>
 
+#include "contacts.h"
 #include "prepare.h"
 #include "published_method.h"
 #include "refined_method.h"
 #include "scan_side.h"
 #include "stage_clock.h"
+#include <utility>
 
 namespace posture {
 namespace {
+
+/// Less is what the score of one map changes by from one bending to the next.
+constexpr double LEAST_GAIN = 0.1;
 
 RegistrationResult registerMeshes(const TriangleMesh& source,
                                   const TriangleMesh& target,
@@ -19,9 +24,22 @@ RegistrationResult registerMeshes(const TriangleMesh& source,
     return std::pair(cleanSide("source", source), cleanSide("target", target));
   });
   clock.show([&, &a = source_clean, &b = target_clean] { return cleaningPictures(a, b); });
-  return options.method == Method::PAPER
-             ? publishedMethod({source, source_clean}, {target, target_clean}, clock)
-             : refinedMethod({source, source_clean}, {target, target_clean}, options, clock);
+  if (options.method == Method::PAPER)
+    return publishedMethod({source, source_clean}, {target, target_clean}, clock);
+  RegistrationResult result =
+      refinedMethod({source, source_clean}, {target, target_clean}, options, clock);
+
+  // Where a surface may be grown together with itself it is parted too: the better map tells.
+  const auto [source_parted, target_parted] = clock.stage("contacts", 0, [&] {
+    return std::pair(partedSurface(source, source_clean), partedSurface(target, target_clean));
+  });
+  if (source_parted.contacts == 0 && target_parted.contacts == 0) return result;
+  RegistrationResult parted =
+      refinedMethod({source, source_parted.clean}, {target, target_parted.clean}, options, clock);
+  if (parted.score > result.score - LEAST_GAIN) return result;
+  parted.source.parted_contacts = source_parted.contacts;
+  parted.target.parted_contacts = target_parted.contacts;
+  return parted;
 }
 
 }  // namespace

@@ -179,6 +179,7 @@ std::string shapes(const RegistrationResult& result, const RunDescription& run) 
   count("Vertices off the main surface", a.cleaning.loose_vertices, b.cleaning.loose_vertices);
   count("Vertices of the main surface", a.clean_vertices, b.clean_vertices);
   count("Boundary edges", a.boundary_edges, b.boundary_edges);
+  count("Contacts cut open", a.parted_contacts, b.parted_contacts);
   add("Area", formatShort(a.area), formatShort(b.area));
   add("Mean edge length", formatShort(a.mean_edge_length), formatShort(b.mean_edge_length));
   count("Samples", a.samples, b.samples);

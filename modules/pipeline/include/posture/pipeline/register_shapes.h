@@ -77,6 +77,7 @@ struct ShapeSummary {
   CleaningSummary cleaning;
   int clean_vertices = 0;
   int boundary_edges = 0;
+  int parted_contacts = 0;  ///< where it was taken for grown together with itself, and cut open
   double area = 0;  ///< of the main surface, in squared units of the input
   double mean_edge_length = 0;
   int samples = 0;

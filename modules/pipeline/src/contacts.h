@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/mesh/clean_mesh.h>
+
+namespace posture {
+
+/// A main surface cut open where it seems grown together with itself: a hand on a hip that scanning
+/// made one surface, which shortens every path that may go there.
+struct PartedSurface {
+  CleanMesh clean;   ///< of the same input; without the faces along the contacts
+  int contacts = 0;  ///< cut; 0: nothing seems grown together
+};
+
+/// Contacts are looked for where the surface has a handle with a long way around: the narrowest
+/// ring of edges that opens it. Whether scanning made the handle or the body has it, and whether it
+/// is narrowest where it is grown together, is for the maps to tell.
+PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean);
+
+}  // namespace posture
