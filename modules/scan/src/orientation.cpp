@@ -3,6 +3,7 @@
 #include "orientation.h"
 
 #include "blocks.h"
+#include "signed_sets.h"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -20,47 +21,6 @@ struct Link {
   bool operator<(const Link& other) const {
     return std::tie(weight, first, second) < std::tie(other.weight, other.first, other.second);
   }
-};
-
-/// Union-find that knows of each point whether its sign is that of its root.
-class SignedSets {
- public:
-  explicit SignedSets(int count) : parent_(count), flipped_(count, 0) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-
-  int find(int i) {
-    int root = i;
-    char flipped = 0;
-    for (; parent_[root] != root; root = parent_[root]) flipped ^= flipped_[root];
-    while (parent_[i] != root && i != root) {
-      const int next = parent_[i];
-      const char here = flipped_[i];
-      parent_[i] = root;
-      flipped_[i] = flipped;
-      flipped ^= here;
-      i = next;
-    }
-    return root;
-  }
-
-  bool isFlipped(int i) {
-    find(i);
-    return flipped_[i] != 0;
-  }
-
-  void join(int i, int j, bool opposed) {
-    const int a = find(i), b = find(j);
-    if (a == b) return;
-    const char between = static_cast<char>(flipped_[i] ^ flipped_[j] ^ static_cast<char>(opposed));
-    // The lower root stays: the result does not depend on the order of equal unions.
-    parent_[std::max(a, b)] = std::min(a, b);
-    flipped_[std::max(a, b)] = between;
-  }
-
- private:
-  std::vector<int> parent_;
-  std::vector<char> flipped_;
 };
 
 /// How badly two points fit on one smooth surface, and whether their normals then disagree.
@@ -154,7 +114,8 @@ HintVote vote(const Points& directions, const Points& normals, const std::vector
   return votes;
 }
 
-/// Whether the normals of a part have to be turned round.
+}  // namespace
+
 bool looksInward(const Points& points,
                  const Points& normals,
                  const std::vector<int>& part,
@@ -179,8 +140,6 @@ bool looksInward(const Points& points,
   }
   return enclosed.volume < 0;
 }
-
-}  // namespace
 
 OrientationSummary orientNormals(const Points& points,
                                  const NeighborTable& neighbors,

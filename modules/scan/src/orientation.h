@@ -33,4 +33,12 @@ OrientationSummary orientNormals(const Points& points,
                                  const OutsideHints& hints,
                                  Points& normals);
 
+/// Whether the normals of some points, consistent among themselves, have to be turned round.
+bool looksInward(const Points& points,
+                 const Points& normals,
+                 const std::vector<int>& part,
+                 const Spacing& spacing,
+                 const OutsideHints& hints,
+                 OrientationSummary& summary);
+
 }  // namespace posture
