@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include "delaunay.h"
+#include "predicates.h"
+#include "scan_shapes.h"
+#include <algorithm>
+#include <set>
+
+namespace posture {
+namespace {
+
+Points randomPoints(int count) {
+  Rng rng(4);
+  Points points(count, 3);
+  for (int i = 0; i < points.size(); ++i) points.data()[i] = rng.uniform();
+  return points;
+}
+
+/// A lattice: all its cubes have eight points on a sphere, and its sides are planes full of points.
+Points lattice(int side) {
+  Points points(side * side * side, 3);
+  for (int i = 0; i < points.rows(); ++i)
+    points.row(i) << i % side, i / side % side, i / side / side;
+  return points / side;
+}
+
+bool isFinite(const std::array<int, 4>& corners, int n) {
+  return *std::max_element(corners.begin(), corners.end()) < n;
+}
+
+double volume(const Points& points, const std::array<int, 4>& c) {
+  Eigen::Matrix3d edges;
+  for (int k = 0; k < 3; ++k) edges.row(k) = points.row(c[k + 1]) - points.row(c[0]);
+  return edges.determinant() / 6;
+}
+
+/// Every tetrahedron has volume and no point within its sphere, each by more than rounding.
+void expectDelaunay(const Points& points, const Tetrahedra& tetrahedra) {
+  const int n = static_cast<int>(points.rows());
+  for (const std::array<int, 4>& c : tetrahedra.corners) {
+    if (!isFinite(c, n)) continue;
+    ASSERT_GT(volume(points, c), 0);
+    Eigen::Matrix3d edges;
+    Eigen::Vector3d squares;
+    for (int k = 0; k < 3; ++k) {
+      edges.row(k) = points.row(c[k + 1]) - points.row(c[0]);
+      squares[k] = edges.row(k).squaredNorm() / 2;
+    }
+    const Eigen::Vector3d offset = edges.fullPivLu().solve(squares);
+    const double radius = offset.norm();
+    const Vector distances =
+        (points.rowwise() - (points.row(c[0]) + offset.transpose())).rowwise().norm();
+    ASSERT_GT(distances.minCoeff(), radius * (1 - 1e-6));
+  }
+}
+
+/// Neighbours know each other, and the complex is a sphere: with the point at infinity there are as
+/// many points and triangles as edges and tetrahedra.
+void expectComplex(const Points& points, const Tetrahedra& tetrahedra, int distinct) {
+  std::set<int> vertices;
+  std::set<std::array<int, 2>> edges;
+  std::set<std::array<int, 3>> faces;
+  for (int t = 0; t < tetrahedra.size(); ++t) {
+    std::array<int, 4> c = tetrahedra.corners[t];
+    for (int k = 0; k < 4; ++k) {
+      const int beyond = tetrahedra.beyond[t][k], mirror = tetrahedra.mirror(t, k);
+      ASSERT_EQ(tetrahedra.beyond[beyond][mirror], t);
+      std::array<int, 3> here = tetrahedra.face(t, k), there = tetrahedra.face(beyond, mirror);
+      std::sort(here.begin(), here.end());
+      std::sort(there.begin(), there.end());
+      ASSERT_EQ(here, there);
+      faces.insert(here);
+    }
+    std::sort(c.begin(), c.end());
+    for (int a = 0; a < 4; ++a) {
+      vertices.insert(c[a]);
+      for (int b = a + 1; b < 4; ++b) edges.insert({c[a], c[b]});
+    }
+  }
+  EXPECT_EQ(static_cast<int>(vertices.size()), distinct + 1);
+  EXPECT_EQ(*vertices.rbegin(), points.rows());
+  EXPECT_EQ(vertices.size() + faces.size(), edges.size() + tetrahedra.corners.size());
+}
+
+double totalVolume(const Points& points, const Tetrahedra& tetrahedra) {
+  double sum = 0;
+  for (const std::array<int, 4>& c : tetrahedra.corners)
+    if (isFinite(c, static_cast<int>(points.rows()))) sum += volume(points, c);
+  return sum;
+}
+
+TEST(Delaunay, HasEmptySpheres) {
+  const Points points = randomPoints(500);
+  const auto tetrahedra = delaunay(points);
+  ASSERT_TRUE(tetrahedra);
+  expectDelaunay(points, *tetrahedra);
+  expectComplex(points, *tetrahedra, 500);
+}
+
+TEST(Delaunay, FillsALatticeWithoutFlatTetrahedra) {
+  const Points points = lattice(6);
+  const auto tetrahedra = delaunay(points);
+  ASSERT_TRUE(tetrahedra);
+  expectDelaunay(points, *tetrahedra);
+  expectComplex(points, *tetrahedra, 216);
+  EXPECT_NEAR(totalVolume(points, *tetrahedra), std::pow(5.0 / 6, 3), 1e-12);
+}
+
+TEST(Delaunay, FillsTheHullOfPointsOnASphere) {
+  // Rings of points: cospherical, and coplanar ring by ring.
+  Points points(10 * 12 + 2, 3);
+  for (int i = 0; i < 120; ++i) {
+    const double up = M_PI * (i / 12 + 1) / 11, around = 2 * M_PI * (i % 12) / 12;
+    points.row(i) << std::sin(up) * std::cos(around), std::sin(up) * std::sin(around), std::cos(up);
+  }
+  points.row(120) << 0, 0, 1;
+  points.row(121) << 0, 0, -1;
+  const auto tetrahedra = delaunay(points);
+  ASSERT_TRUE(tetrahedra);
+  expectComplex(points, *tetrahedra, 122);
+  EXPECT_NEAR(totalVolume(points, *tetrahedra), 4 * M_PI / 3, 0.35);
+}
+
+TEST(Delaunay, TakesOneOfRepeatedPoints) {
+  Points points = test::joined(lattice(4), lattice(4));
+  const auto tetrahedra = delaunay(points);
+  ASSERT_TRUE(tetrahedra);
+  expectComplex(points, *tetrahedra, 64);
+}
+
+TEST(Delaunay, FindsNothingInAPlane) {
+  EXPECT_FALSE(delaunay(test::planePoints(200, 0.3)));
+  EXPECT_FALSE(delaunay(lattice(5).leftCols<3>().topRows(25)));
+  EXPECT_FALSE(delaunay(Points::Constant(5, 3, 0.5)));
+}
+
+TEST(Predicates, AgreeWithIntegers) {
+  // Small enough for products of five in 64 bits; a third of them are degenerate.
+  Rng rng(6);
+  const auto place = [&] {
+    LatticePoint p;
+    for (double& x : p) x = rng.below(5);
+    return p;
+  };
+  const auto minus = [](const LatticePoint& p, const LatticePoint& q) {
+    return Eigen::Matrix<long long, 3, 1>(static_cast<long long>(p[0] - q[0]),
+                                          static_cast<long long>(p[1] - q[1]),
+                                          static_cast<long long>(p[2] - q[2]));
+  };
+  int degenerate = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const LatticePoint a = place(), b = place(), c = place(), d = place(), e = place();
+    const long long turn = minus(b, a).cross(minus(c, a)).dot(minus(d, a));
+    ASSERT_EQ(orientation(a, b, c, d), (turn > 0) - (turn < 0));
+    if (turn <= 0) continue;
+    if (e == a || e == b || e == c || e == d) continue;
+    Eigen::Matrix<long long, 4, 4> m;
+    int row = 0;
+    for (const LatticePoint* p : {&a, &b, &c, &d}) {
+      const auto v = minus(*p, e);
+      m.row(row++) << v.transpose(), v.squaredNorm();
+    }
+    long long lifted = 0;
+    for (int k = 0; k < 4; ++k) {
+      Eigen::Matrix<long long, 3, 3> minor;
+      for (int r = 0, to = 0; r < 4; ++r)
+        if (r != k) minor.row(to++) = m.row(r).head<3>();
+      const long long of_three = minor.row(0).cross(minor.row(1)).dot(minor.row(2));
+      lifted += (k % 2 == 0 ? 1 : -1) * m(k, 3) * of_three;
+    }
+    degenerate += lifted == 0;
+    if (lifted != 0) {
+      ASSERT_EQ(isInSphere(a, b, c, d, e), lifted > 0);
+    }
+  }
+  EXPECT_GT(degenerate, 20);
+}
+
+TEST(Predicates, AreExactWhereRoundingIsNot) {
+  // Nearly in a plane: the last place of coordinates of 51 bits decides.
+  const double far = 0x1p51 - 1;
+  EXPECT_EQ(orientation({0, 0, 0}, {far, 0, 1}, {0, far, 1}, {far, far, 2}), 0);
+  EXPECT_EQ(orientation({0, 0, 0}, {far, 0, 1}, {0, far, 1}, {far, far, 3}), 1);
+  EXPECT_EQ(orientation({0, 0, 0}, {far, 0, 1}, {0, far, 1}, {far - 1, far, 2}), 1);
+}
+
+}  // namespace
+}  // namespace posture
