@@ -4,6 +4,7 @@
 
 #include <posture/core/error.h>
 #include <posture/mesh/half_edge_mesh.h>
+#include <posture/mesh/normals.h>
 #include <posture/mesh/point_index.h>
 
 #include <Eigen/Geometry>
@@ -33,16 +34,6 @@ void orientBySamples(const OrientedPoints& samples, TriangleMesh& mesh) {
   }
 }
 
-TriangleMesh repaired(TriangleMesh mesh, double spacing, int& dropped) {
-  const int n = static_cast<int>(mesh.vertices.rows());
-  mesh.faces = largestFans(mesh.faces, n);
-  mesh.faces = withoutSmallPieces(mesh.faces, n, FEWEST_FACES, dropped);
-  mesh.faces = closePinHoles(mesh, 12 * spacing);
-  mesh.faces = largestFans(mesh.faces, n);
-  std::vector<int> kept;
-  return withoutLooseVertices(mesh, kept);
-}
-
 TriangleMesh tangentSurface(const OrientedPoints& samples,
                             const NeighborSearch& search,
                             const NeighborTable& neighbors,
@@ -59,7 +50,18 @@ TriangleMesh untangled(const OrientedPoints& samples, TriangleMesh mesh) {
   return cutNonManifold(mesh).mesh;
 }
 
-void describe(const TriangleMesh& mesh, ReconstructionSummary& summary) {
+}  // namespace
+
+TriangleMesh repaired(TriangleMesh mesh, double spacing, std::vector<int>& kept, int& dropped) {
+  const int n = static_cast<int>(mesh.vertices.rows());
+  mesh.faces = largestFans(mesh.faces, n);
+  mesh.faces = withoutSmallPieces(mesh.faces, n, FEWEST_FACES, dropped);
+  mesh.faces = closePinHoles(mesh, 12 * spacing);
+  mesh.faces = largestFans(mesh.faces, n);
+  return withoutLooseVertices(mesh, kept);
+}
+
+void describe(const TriangleMesh& mesh, double spacing, ReconstructionSummary& summary) {
   const int n = static_cast<int>(mesh.vertices.rows());
   summary.vertices = n;
   summary.faces = static_cast<int>(mesh.faces.rows());
@@ -70,9 +72,8 @@ void describe(const TriangleMesh& mesh, ReconstructionSummary& summary) {
       summary.boundary_length +=
           (mesh.vertices.row(loop[k]) - mesh.vertices.row(loop[(k + 1) % loop.size()])).norm();
   }
+  summary.thin = thinShare(mesh, spacing);
 }
-
-}  // namespace
 
 TriangleMesh meshSamples(const OrientedPoints& samples,
                          SurfaceMethod method,
@@ -95,11 +96,11 @@ TriangleMesh meshSamples(const OrientedPoints& samples,
       mesh = untangled(samples, greedySurface(samples, h.median));
       break;
   }
-  mesh = repaired(std::move(mesh), h.median, summary.dropped_pieces);
+  std::vector<int> kept;
+  mesh = repaired(std::move(mesh), h.median, kept, summary.dropped_pieces);
   if (mesh.faces.rows() == 0) throw InputError("shows no surface");
-  describe(mesh, summary);
-  summary.contacts = possibleContacts(mesh, h.median);
-  summary.thin = thinShare(mesh, h.median);
+  describe(mesh, h.median, summary);
+  summary.contacts = possibleContacts(mesh, vertexNormals(mesh), h.median);
   return mesh;
 }
 

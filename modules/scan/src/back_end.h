@@ -5,6 +5,7 @@
 #include <posture/scan/reconstruct.h>
 
 #include "smoothing.h"
+#include <vector>
 
 namespace posture {
 
@@ -14,5 +15,12 @@ namespace posture {
 TriangleMesh meshSamples(const OrientedPoints& samples,
                          SurfaceMethod method,
                          ReconstructionSummary& summary);
+
+/// Manifold, without small pieces and pin-holes. `kept` has the vertex each new one was; `dropped`
+/// counts the pieces. \pre  no edge runs twice in one direction.
+TriangleMesh repaired(TriangleMesh mesh, double spacing, std::vector<int>& kept, int& dropped);
+
+/// Fills in what the summary says of the mesh, but for contacts.
+void describe(const TriangleMesh& mesh, double spacing, ReconstructionSummary& summary);
 
 }  // namespace posture

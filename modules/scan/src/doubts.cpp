@@ -70,9 +70,8 @@ class EdgeGraph {
 
 }  // namespace
 
-int possibleContacts(const TriangleMesh& mesh, double spacing) {
+int possibleContacts(const TriangleMesh& mesh, const Points& normals, double spacing) {
   const int n = static_cast<int>(mesh.vertices.rows());
-  const Points normals = vertexNormals(mesh);
   const std::vector<Edge> edges = meshEdges(mesh.faces);
   std::vector<char> concave(edges.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {

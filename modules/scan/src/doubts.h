@@ -8,8 +8,8 @@ namespace posture {
 
 /// Places where parts that touch may have been joined: groups of edges whose ends look at each
 /// other across a concave gap, and between whose ends the way without such edges is at least
-/// twenty spacings long. A deep crease looks the same.
-int possibleContacts(const TriangleMesh& mesh, double spacing);
+/// twenty spacings long. A deep crease looks the same. \param normals  of the vertices
+int possibleContacts(const TriangleMesh& mesh, const Points& normals, double spacing);
 
 /// Share of the vertices with the other side of the part less than three spacings behind them.
 double thinShare(const TriangleMesh& mesh, double spacing);
