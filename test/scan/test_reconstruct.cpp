@@ -138,12 +138,47 @@ TEST(Reconstruct, DoesNotJoinTubesThatTouch) {
 }
 
 TEST(Reconstruct, SaysWherePartsMayBeJoined) {
-  // A radius of four spacings and a gap of one: beyond telling.
-  const ScanSurface surface = reconstruct(cloudOf(touchingTubes(1500, 15, 0.25, 0.45)));
+  // A radius of four spacings and a gap of one, with some noise: beyond telling.
+  Points tubes = touchingTubes(1500, 15, 0.25, 0.45);
+  Rng rng(4);
+  for (int i = 0; i < tubes.size(); ++i) tubes.data()[i] += 0.02 * rng.normal();
+  const ScanSurface surface = reconstruct(cloudOf(tubes));
   expectManifold(surface.mesh);
   ASSERT_EQ(surface.summary.components, 1);
   EXPECT_GT(surface.summary.contacts, 0);
   EXPECT_FALSE(surface.summary.warnings.empty());
+}
+
+TEST(Reconstruct, TellsTubesApartThatHaveNoNoise) {
+  const Points tubes = touchingTubes(1500, 12, 0.25, 0.45);
+  const ScanSurface surface = reconstruct(cloudOf(tubes));
+  expectManifold(surface.mesh);
+  int joined = 0;
+  for (int c = 0; c < surface.mesh.faces.size(); ++c)
+    joined += (surface.mesh.vertices(surface.mesh.faces(c / 3, c % 3), 0) < 0.125) !=
+              (surface.mesh.vertices(surface.mesh.faces(c / 3, (c + 1) % 3), 0) < 0.125);
+  // Half-edges: of some fifty spacings of contact few but at the ends.
+  EXPECT_LT(joined, 48);
+}
+
+TEST(Reconstruct, LinksPointsWithoutNoiseToTheirVertices) {
+  Points points = test::torusPoints(3000, 1, 0.3);
+  points.row(5) = points.row(6);
+  points.row(7) << 3, 3, 3;
+  points.row(8).setConstant(NOTHING);
+  const Points far_away = (0.001 * points).rowwise() + Eigen::RowVector3d(20, -7, 3);
+  const ScanSurface surface = reconstruct(cloudOf(far_away));
+  EXPECT_EQ(surface.summary.outliers, 1);
+  EXPECT_EQ(surface.on_mesh[7].vertex, -1);
+  EXPECT_EQ(surface.on_mesh[8].vertex, -1);
+  EXPECT_EQ(surface.on_mesh[5].vertex, surface.on_mesh[6].vertex);
+  for (int i = 0; i < 3000; ++i) {
+    const SurfacePoint& place = surface.on_mesh[i];
+    if (i == 7 || i == 8) continue;
+    ASSERT_GE(place.vertex, 0);
+    EXPECT_EQ(surface.mesh.vertices.row(place.vertex), far_away.row(i));
+    EXPECT_EQ(surface.offset[i], 0);
+  }
 }
 
 TEST(Reconstruct, KeepsPartsThatAGapCutsOff) {

@@ -5,12 +5,16 @@
 
 #include "back_end.h"
 #include "blocks.h"
+#include "clean_points.h"
 #include "distinct_points.h"
 #include "front_end.h"
 #include "outside_hints.h"
 #include "place_on_mesh.h"
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace posture {
 namespace {
@@ -63,6 +67,51 @@ void placePoints(const PointCloud& cloud, const std::vector<char>& belongs, Scan
   });
 }
 
+void toCloudFrame(const WorkingFrame& frame, ScanSurface& surface) {
+  surface.mesh.vertices = frame.toCloud(surface.mesh.vertices);
+  ReconstructionSummary& summary = surface.summary;
+  for (double* length :
+       {&summary.spacing, &summary.noise, &summary.mesh_spacing, &summary.boundary_length})
+    *length *= frame.unit;
+}
+
+/// Smoothed, spread evenly and triangulated.
+void layThroughNoise(const PointCloud& cloud,
+                     const DistinctPoints& distinct,
+                     const OutsideHints& hints,
+                     SurfaceMethod method,
+                     ScanSurface& surface) {
+  std::vector<int> kept;
+  const ScanPoints scan = filterPoints({distinct.points, hints}, kept, surface.summary);
+  const OrientedPoints samples = sampleSurface(scan, method, surface.summary);
+  surface.mesh = meshSamples(samples, method, surface.summary);
+  toCloudFrame(distinct.frame, surface);
+  placePoints(cloud, belongingRows(distinct, kept), surface);
+}
+
+/// Of points that are its vertices. What is farther from it than four spacings is no part of it.
+void joinCleanPoints(const PointCloud& cloud,
+                     const DistinctPoints& distinct,
+                     PointSurface clean,
+                     ScanSurface& surface) {
+  surface.mesh = std::move(clean.mesh);
+  toCloudFrame(distinct.frame, surface);
+  for (std::size_t v = 0; v < clean.point.size(); ++v)
+    if (const int i = clean.point[v]; i >= 0)
+      surface.mesh.vertices.row(static_cast<Eigen::Index>(v)) = cloud.points.row(distinct.input[i]);
+  std::vector<char> belongs(distinct.place.size());
+  for (std::size_t row = 0; row < belongs.size(); ++row) belongs[row] = distinct.place[row] >= 0;
+  placePoints(cloud, belongs, surface);
+  std::vector<char> is_outlier(distinct.input.size(), 0);
+  for (std::size_t row = 0; row < belongs.size(); ++row) {
+    if (!(surface.offset[row] > 4 * surface.summary.spacing)) continue;
+    is_outlier[distinct.place[row]] = 1;
+    surface.on_mesh[row] = {};
+    surface.offset[row] = 0;
+  }
+  surface.summary.outliers = static_cast<int>(std::count(is_outlier.begin(), is_outlier.end(), 1));
+}
+
 }  // namespace
 
 ScanSurface reconstruct(const PointCloud& cloud, const ReconstructionOptions& options) {
@@ -74,17 +123,14 @@ ScanSurface reconstruct(const PointCloud& cloud, const ReconstructionOptions& op
   summary.missing = distinct.missing;
   summary.repeated = distinct.repeated;
 
-  std::vector<int> kept;
-  const ScanPoints scan =
-      filterPoints({distinct.points, outsideHints(cloud, distinct.input)}, kept, summary);
-  const OrientedPoints samples = sampleSurface(scan, options.surface, summary);
-  surface.mesh = meshSamples(samples, options.surface, summary);
-
-  surface.mesh.vertices = distinct.frame.toCloud(surface.mesh.vertices);
-  for (double* length :
-       {&summary.spacing, &summary.noise, &summary.mesh_spacing, &summary.boundary_length})
-    *length *= distinct.frame.unit;
-  placePoints(cloud, belongingRows(distinct, kept), surface);
+  const OutsideHints hints = outsideHints(cloud, distinct.input);
+  std::optional<PointSurface> clean;
+  if (options.surface == SurfaceMethod::TANGENT_DELAUNAY)
+    clean = surfaceOfCleanPoints(distinct.points, hints, summary);
+  if (clean)
+    joinCleanPoints(cloud, distinct, std::move(*clean), surface);
+  else
+    layThroughNoise(cloud, distinct, hints, options.surface, surface);
   warn(summary);
   return surface;
 }

@@ -13,10 +13,12 @@ namespace posture {
 /// How the surface is laid through the points. The first is this project's own; the others are
 /// PCL's, with parameters derived from the spacing. See docs/decisions.md, "Points to mesh".
 enum class SurfaceMethod {
-  TANGENT_DELAUNAY,  ///< own smoothing, then Delaunay stars in the tangent planes
-  MLS,               ///< PCL's moving least squares, then the same triangulation
-  POISSON,           ///< PCL's Poisson surface, cut back to where there are points
-  GREEDY,            ///< PCL's greedy projection
+  /// Own: smoothing, then Delaunay stars in the tangent planes; for points without noise, as the
+  /// vertices of a mesh are, the boundary between the inside and the outside of their tetrahedra.
+  TANGENT_DELAUNAY,
+  MLS,      ///< PCL's moving least squares, then the same triangulation
+  POISSON,  ///< PCL's Poisson surface, cut back to where there are points
+  GREEDY,   ///< PCL's greedy projection
 };
 
 struct ReconstructionOptions {
@@ -26,12 +28,14 @@ struct ReconstructionOptions {
 /// What was found on the way. Lengths are in the unit of the cloud.
 struct ReconstructionSummary {
   int points = 0;
-  int missing = 0;          ///< not finite
-  int repeated = 0;         ///< at the very place of another
-  int outliers = 0;         ///< alone, or in a group too small to be a part
-  int dropped_pieces = 0;   ///< pieces of surface too small to keep
-  double spacing = 0;       ///< of the points: the side of the square each one stands for
-  double noise = 0;         ///< median distance of the points from the plane of their neighbours
+  int missing = 0;         ///< not finite
+  int repeated = 0;        ///< at the very place of another
+  int outliers = 0;        ///< alone, or in a group too small to be a part
+  int dropped_pieces = 0;  ///< pieces of surface too small to keep
+  double spacing = 0;      ///< of the points: the side of the square each one stands for
+  /// Median distance of the points from the plane of their neighbours; where the surface goes
+  /// through the points, the most that their distance from curved neighbourhoods allows.
+  double noise = 0;
   double mesh_spacing = 0;  ///< of the vertices
   int averaged = 0;         ///< neighbours averaged into one point first; 0: the noise was small
   int vertices = 0;
@@ -55,11 +59,11 @@ struct ScanSurface {
   ReconstructionSummary summary;
 };
 
-/// A triangle mesh through the points of a scan. All scales come from the points; the same points
-/// in another order, or moved, give the same mesh up to rounding. Faces are counter-clockwise seen
-/// from outside: from the sensor where known, else as the grid of a depth image is seen, else away
-/// from the inside of the body.
-/// \throws InputError  no finite point; too few different points; all on one line; no surface.
+/// A triangle mesh through the points of a scan. Points without noise are themselves its vertices.
+/// All scales come from the points; the same points in another order, or moved, give the same mesh
+/// up to rounding. Faces are counter-clockwise seen from outside: from the sensor where known, else
+/// as the grid of a depth image is seen, else away from the inside of the body. \throws InputError
+/// no finite point; too few different points; all on one line; no surface.
 ScanSurface reconstruct(const PointCloud& cloud, const ReconstructionOptions& options = {});
 
 }  // namespace posture

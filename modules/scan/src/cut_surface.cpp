@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cut_surface.h"
+
+#include <posture/mesh/half_edge_mesh.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+
+namespace posture {
+namespace {
+
+/// A face of the surface: tetrahedron 4 t + k is inside, the one across from corner k outside.
+class CutFaces {
+ public:
+  CutFaces(const Points& points,
+           const Tetrahedra& tetrahedra,
+           const std::vector<char>& inside,
+           const Spacing& spacing)
+      : tetrahedra_(tetrahedra), inside_(inside), number_(4 * inside.size(), -1) {
+    for (int t = 0; t < tetrahedra.size(); ++t)
+      for (int k = 0; k < 4; ++k) {
+        if (!inside[t] || inside[tetrahedra.beyond[t][k]]) continue;
+        const std::array<int, 3> face = tetrahedra.face(t, k);
+        if (std::max({face[0], face[1], face[2]}) == points.rows()) continue;
+        if (isTooLong(points, spacing, face)) continue;
+        number_[4 * t + k] = static_cast<int>(sides_.size());
+        sides_.push_back(4 * t + k);
+      }
+  }
+
+  int size() const { return static_cast<int>(sides_.size()); }
+
+  std::array<int, 3> corners(int f) const { return tetrahedra_.face(sides_[f] / 4, sides_[f] % 4); }
+
+  /// The face reached through the inside around the edge opposite corner `apex`, or -1.
+  int across(int f, int apex) const {
+    int t = sides_[f] / 4, behind = tetrahedra_.corners[t][sides_[f] % 4], leaving = apex;
+    while (true) {
+      const int k = cornerOf(t, leaving), next = tetrahedra_.beyond[t][k];
+      if (!inside_[next]) return number_[4 * t + k];
+      leaving = behind;
+      behind = tetrahedra_.corners[next][tetrahedra_.mirror(t, k)];
+      t = next;
+    }
+  }
+
+ private:
+  /// The reach of the tangent-plane triangles.
+  static bool isTooLong(const Points& points,
+                        const Spacing& spacing,
+                        const std::array<int, 3>& face) {
+    double reach = 0, length = 0;
+    for (int k = 0; k < 3; ++k) {
+      reach = std::max(reach, 4 * spacing.at[face[k]]);
+      length = std::max(length, (points.row(face[k]) - points.row(face[(k + 1) % 3])).norm());
+    }
+    return length > reach;
+  }
+
+  int cornerOf(int t, int vertex) const {
+    const std::array<int, 4>& c = tetrahedra_.corners[t];
+    return static_cast<int>(std::find(c.begin(), c.end(), vertex) - c.begin());
+  }
+
+  const Tetrahedra& tetrahedra_;
+  const std::vector<char>& inside_;
+  std::vector<int> number_;  ///< of the face at each side of a tetrahedron, or -1
+  std::vector<int> sides_;
+};
+
+/// For each corner 3 f + k a number shared by the corners of one fan.
+std::vector<int> fans(const CutFaces& faces) {
+  const int count = 3 * faces.size();
+  std::vector<int> rank(count), parent(count), fan(count);
+  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
+  for (int c = 0; c < count; ++c) sets.make_set(c);
+  for (int f = 0; f < faces.size(); ++f) {
+    const std::array<int, 3> own = faces.corners(f);
+    for (int k = 0; k < 3; ++k) {
+      const int g = faces.across(f, own[k]);
+      if (g < f) continue;
+      const std::array<int, 3> other = faces.corners(g);
+      for (int end : {(k + 1) % 3, (k + 2) % 3}) {
+        const auto same = std::find(other.begin(), other.end(), own[end]);
+        sets.union_set(3 * f + end, 3 * g + static_cast<int>(same - other.begin()));
+      }
+    }
+  }
+  for (int c = 0; c < count; ++c) fan[c] = sets.find_set(c);
+  return fan;
+}
+
+}  // namespace
+
+PointSurface cutSurface(const Points& points,
+                        const Tetrahedra& tetrahedra,
+                        const std::vector<char>& inside,
+                        const Spacing& spacing) {
+  const CutFaces faces(points, tetrahedra, inside, spacing);
+  const std::vector<int> fan = fans(faces);
+  std::vector<int> vertex_of_fan(fan.size(), -1), point;
+  TriangleMesh mesh{{}, Faces(faces.size(), 3)};
+  for (int f = 0; f < faces.size(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      int& vertex = vertex_of_fan[fan[3 * f + k]];
+      if (vertex < 0) {
+        vertex = static_cast<int>(point.size());
+        point.push_back(faces.corners(f)[k]);
+      }
+      mesh.faces(f, k) = vertex;
+    }
+  mesh.vertices = points(point, Eigen::all);
+  // A fan that comes twice through one edge is left.
+  ManifoldMesh manifold = cutNonManifold(mesh);
+  PointSurface surface{std::move(manifold.mesh), {}};
+  for (int v : manifold.original_vertex) surface.point.push_back(point[v]);
+  return surface;
+}
+
+}  // namespace posture

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/half_edge_mesh.h>
+#include <posture/mesh/normals.h>
+
+#include <gtest/gtest.h>
+
+#include "clean_points.h"
+#include "cleanness.h"
+#include "scan_shapes.h"
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace posture {
+namespace {
+
+struct Found {
+  std::optional<PointSurface> surface;
+  ReconstructionSummary summary;
+};
+
+Found find(const Points& points) {
+  Found found;
+  found.surface = surfaceOfCleanPoints(points, {}, found.summary);
+  return found;
+}
+
+int eulerCharacteristic(const TriangleMesh& mesh) {
+  std::set<std::pair<int, int>> edges;
+  for (int c = 0; c < mesh.faces.size(); ++c)
+    edges.insert(std::minmax(mesh.faces(c / 3, c % 3), mesh.faces(c / 3, (c + 1) % 3)));
+  return static_cast<int>(mesh.vertices.rows()) - static_cast<int>(edges.size()) +
+         static_cast<int>(mesh.faces.rows());
+}
+
+int pointsOn(const PointSurface& surface) {
+  std::set<int> points(surface.point.begin(), surface.point.end());
+  points.erase(-1);
+  return static_cast<int>(points.size());
+}
+
+/// The constructor of HalfEdgeMesh refuses what is not manifold or not oriented.
+void expectManifold(const TriangleMesh& mesh) {
+  EXPECT_NO_THROW(HalfEdgeMesh(mesh.faces, static_cast<int>(mesh.vertices.rows())));
+}
+
+Cleanness cleannessOf(const Points& points) {
+  const NeighborTable neighbors = NeighborSearch(points).table(16);
+  return cleanness(points, neighbors, spacing(points, neighbors));
+}
+
+/// Rings of six points about the z axis, much farther apart than the points of a ring, as limbs of
+/// coarse meshes have them; both ends closed by a point.
+Points coarseLimb(int rings, double radius, double step) {
+  Points points(6 * rings + 2, 3);
+  for (int i = 0; i < 6 * rings; ++i) {
+    const double around = 2 * M_PI * (i % 6 + 0.5 * (i / 6 % 2)) / 6;
+    points.row(i) << radius * std::cos(around), radius * std::sin(around), step * (i / 6);
+  }
+  points.row(6 * rings) << 0, 0, -0.4 * radius;
+  points.row(6 * rings + 1) << 0, 0, step * (rings - 1) + 0.4 * radius;
+  return points;
+}
+
+/// With a ball beside them: coarse points alone do not tell that they have no noise.
+Points withBall(const Points& points) {
+  Points ball = test::spherePoints(600, 0);
+  ball.col(0).array() += 4;
+  return test::joined(points, ball);
+}
+
+TEST(Cleanness, TellsNoiseFromCoarseness) {
+  EXPECT_TRUE(cleannessOf(test::spherePoints(3000, 0)).is_clean);
+  EXPECT_TRUE(cleannessOf(test::torusPoints(1000, 1, 0.3)).is_clean);
+  EXPECT_TRUE(cleannessOf(withBall(coarseLimb(60, 0.1, 0.15))).is_clean);
+  // A spacing of 0.065.
+  EXPECT_FALSE(cleannessOf(test::spherePoints(3000, 0.003)).is_clean);
+  EXPECT_FALSE(cleannessOf(test::spherePoints(3000, 0.02)).is_clean);
+  EXPECT_NEAR(cleannessOf(test::spherePoints(3000, 0.003)).noise, 0.046, 0.01);
+}
+
+TEST(CleanPoints, AreAllVerticesOfASphere) {
+  const Points points = test::spherePoints(3000, 0);
+  const Found found = find(points);
+  ASSERT_TRUE(found.surface);
+  const TriangleMesh& mesh = found.surface->mesh;
+  expectManifold(mesh);
+  EXPECT_EQ(pointsOn(*found.surface), 3000);
+  EXPECT_EQ(mesh.vertices.rows(), 3000);
+  EXPECT_EQ(eulerCharacteristic(mesh), 2);
+  EXPECT_EQ(found.summary.boundary_loops, 0);
+  const Points normals = vertexNormals(mesh);
+  for (int v = 0; v < 3000; ++v) {
+    EXPECT_EQ(mesh.vertices.row(v), points.row(found.surface->point[v]));
+    EXPECT_GT(normals.row(v).dot(mesh.vertices.row(v)), 0.9);
+  }
+}
+
+TEST(CleanPoints, KeepTheTopologyOfATorus) {
+  const Found found = find(test::torusPoints(3000, 1, 0.3));
+  ASSERT_TRUE(found.surface);
+  expectManifold(found.surface->mesh);
+  EXPECT_EQ(eulerCharacteristic(found.surface->mesh), 0);
+  EXPECT_EQ(found.summary.boundary_loops, 0);
+}
+
+TEST(CleanPoints, MakeALimbOfSixPointsAround) {
+  const Points points = withBall(coarseLimb(60, 0.1, 0.15));
+  const Found found = find(points);
+  ASSERT_TRUE(found.surface);
+  const TriangleMesh& mesh = found.surface->mesh;
+  expectManifold(mesh);
+  EXPECT_EQ(pointsOn(*found.surface), points.rows());
+  EXPECT_EQ(found.summary.components, 2);
+  EXPECT_EQ(eulerCharacteristic(mesh), 4);
+  EXPECT_EQ(found.summary.boundary_loops, 0);
+  // All of it lies between the limb's inner and outer circles.
+  for (int f = 0; f < mesh.faces.rows(); ++f) {
+    const Eigen::RowVector3d center = mesh.vertices(mesh.faces.row(f), Eigen::all).colwise().mean();
+    if (center.x() > 2 || center.z() < 0 || center.z() > 0.15 * 59) continue;
+    EXPECT_GT(center.head<2>().norm(), 0.05);
+  }
+}
+
+TEST(CleanPoints, KeepSheetsApartThatAreNearlyAsCloseAsTheirPoints) {
+  // A spacing of 0.065: a shell 0.1 thick, and a ball 0.1 beside it.
+  const Points sphere = test::spherePoints(3000, 0);
+  Points beside = test::spherePoints(3000, 0, 2);
+  beside.col(0).array() += 2.2;
+  const Found found =
+      find(test::joined(test::joined(sphere, 1.1 * test::spherePoints(3000, 0, 3)), beside));
+  ASSERT_TRUE(found.surface);
+  const TriangleMesh& mesh = found.surface->mesh;
+  expectManifold(mesh);
+  EXPECT_EQ(found.summary.components, 3);
+  EXPECT_EQ(eulerCharacteristic(mesh), 6);
+  // The inner side of the shell looks inwards.
+  const Points normals = vertexNormals(mesh);
+  for (int v = 0; v < mesh.vertices.rows(); ++v) {
+    const double radius = mesh.vertices.row(v).norm();
+    if (std::abs(radius - 1) < 1e-9) {
+      EXPECT_LT(normals.row(v).dot(mesh.vertices.row(v)), 0);
+    }
+  }
+}
+
+TEST(CleanPoints, LeaveTheRimOfAHalfSphereOpen) {
+  const Points all = test::spherePoints(6000, 0);
+  std::vector<int> rows;
+  for (int i = 0; i < all.rows(); ++i)
+    if (all(i, 2) > 0) rows.push_back(i);
+  const Found found = find(all(rows, Eigen::all));
+  ASSERT_TRUE(found.surface);
+  const TriangleMesh& mesh = found.surface->mesh;
+  expectManifold(mesh);
+  EXPECT_EQ(found.summary.components, 1);
+  EXPECT_EQ(found.summary.boundary_loops, 1);
+  EXPECT_EQ(eulerCharacteristic(mesh), 1);
+  for (int f = 0; f < mesh.faces.rows(); ++f) {
+    const Eigen::RowVector3d center = mesh.vertices(mesh.faces.row(f), Eigen::all).colwise().mean();
+    EXPECT_GT(center.norm(), 0.97);
+  }
+}
+
+TEST(CleanPoints, AreNotTakenForASurfaceWhereTheyAreNone) {
+  EXPECT_FALSE(find(test::spherePoints(3000, 0.02)).surface);
+  EXPECT_FALSE(find(test::planePoints(1000, 0)).surface);
+  Rng rng(2);
+  Points filled(3000, 3);
+  for (int i = 0; i < filled.size(); ++i) filled.data()[i] = rng.uniform();
+  const Found found = find(filled);
+  EXPECT_FALSE(found.surface);
+  EXPECT_EQ(found.summary.spacing, 0);
+}
+
+}  // namespace
+}  // namespace posture
