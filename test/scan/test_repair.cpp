@@ -79,23 +79,5 @@ TEST(SmallPieces, GoAndAreCounted) {
   EXPECT_EQ(withoutLooseVertices({two.vertices, sphere.faces}, kept).vertices, sphere.vertices);
 }
 
-TEST(Handles, AreThoseOfTheShape) {
-  const TriangleMesh sphere = test::sphere(3);
-  const int n = static_cast<int>(sphere.vertices.rows());
-  EXPECT_EQ(countHandles(sphere.faces, n), 0);
-  EXPECT_EQ(countHandles(without(sphere.faces, 40, 1), n), 0);
-  const TriangleMesh grid = test::grid(5, 5, 5, 5);
-  EXPECT_EQ(countHandles(grid.faces, static_cast<int>(grid.vertices.rows())), 0);
-  // A torus of 6 x 6 vertices, whole and without a face.
-  Faces torus(72, 3);
-  for (int i = 0; i < 36; ++i) {
-    const int a = i, b = i / 6 * 6 + (i + 1) % 6, c = (i + 6) % 36, d = (b + 6) % 36;
-    torus.row(2 * i) << a, b, c;
-    torus.row(2 * i + 1) << b, d, c;
-  }
-  EXPECT_EQ(countHandles(torus, 36), 1);
-  EXPECT_EQ(countHandles(without(torus, 3, 1), 36), 1);
-}
-
 }  // namespace
 }  // namespace posture

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clean_points.h"
 
+#include <posture/mesh/handles.h>
 #include <posture/mesh/vertex_neighbors.h>
 
 #include "back_end.h"
@@ -28,10 +29,8 @@ bool isPlausible(const PointSurface& surface, int point_count) {
   constexpr double HANDLES = 2, HANDLES_PER_POINT = 1e-3;
   std::vector<char> on_surface(point_count, 0);
   for (int i : surface.point) on_surface[i] = 1;
-  const Faces& faces = surface.mesh.faces;
   return std::count(on_surface.begin(), on_surface.end(), 1) >= ENOUGH * point_count &&
-         countHandles(faces, static_cast<int>(surface.mesh.vertices.rows())) <=
-             HANDLES + HANDLES_PER_POINT * point_count;
+         Handles(surface.mesh).count() <= HANDLES + HANDLES_PER_POINT * point_count;
 }
 
 /// Leaves each point the vertex of most neighbours. The others are moved a little into their own

@@ -227,13 +227,4 @@ int countPieces(const Faces& faces, int vertex_count) {
   return static_cast<int>(std::count(used.begin(), used.end(), 1));
 }
 
-int countHandles(const Faces& faces, int vertex_count) {
-  const std::vector<std::vector<int>> loops = boundaryLoops(faces, vertex_count);
-  int boundary_edges = 0;
-  for (const std::vector<int>& loop : loops) boundary_edges += static_cast<int>(loop.size());
-  const int edges = (static_cast<int>(faces.size()) + boundary_edges) / 2;
-  const int euler = vertex_count - edges + static_cast<int>(faces.rows());
-  return countPieces(faces, vertex_count) - (euler + static_cast<int>(loops.size())) / 2;
-}
-
 }  // namespace posture

@@ -29,8 +29,4 @@ TriangleMesh withoutLooseVertices(const TriangleMesh& mesh, std::vector<int>& ke
 /// Connected pieces.
 int countPieces(const Faces& faces, int vertex_count);
 
-/// Handles: one of a torus, also where it has holes. \pre  manifold and oriented; no loose
-/// vertices.
-int countHandles(const Faces& faces, int vertex_count);
-
 }  // namespace posture
