@@ -18,8 +18,9 @@
 namespace posture {
 namespace {
 
-/// Rings are looked for on so many vertices, from so many of them.
-constexpr int VERTICES = 5000, STARTS = 200;
+/// Rings are looked for on so many vertices, from so many of them: wherever one starts, the shortest
+/// loops go around every handle.
+constexpr int VERTICES = 5000, STARTS = 20;
 
 /// A handle matters when the way around it is long, in square roots of the area: several spacings
 /// of the samples whose distances are compared.
