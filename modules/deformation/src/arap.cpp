@@ -24,23 +24,33 @@ Eigen::Matrix3d rotationBySvd(const Eigen::Matrix3d& m) {
   return u * svd.matrixV().transpose();
 }
 
-/// The rotation nearest to a matrix: Newton's iteration for the polar factor (Higham 1986), scaled
-/// to converge in a few steps; by singular values where the matrix is nearly singular or mirrors.
-Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& m) {
-  constexpr int MAX_STEPS = 12;
-  constexpr double SINGULAR = 1e-4, CONVERGED = 1e-12;
-  const double norm = m.norm();
-  if (!(m.determinant() > SINGULAR * norm * norm * norm)) return rotationBySvd(m);
-  Eigen::Matrix3d r = m / norm;
+/// The rotation R with the largest trace of R' M. M = R P with P symmetric; its trace t is the
+/// largest root of a quartic in M's invariants (Horn 1987; Theobald 2005), and by Cayley and
+/// Hamilton (M M' + I2 1) R = cof M + t M with I2 = (t^2 - |M|^2) / 2. By singular values where two
+/// rotations do nearly as well.
+Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& given) {
+  constexpr int MAX_STEPS = 30;
+  constexpr double CONVERGED = 1e-14, AMBIGUOUS = 1e-6;
+  const Eigen::Matrix3d m = given / given.norm();
+  Eigen::Matrix3d cofactors;
+  cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
+  const double det = m.col(0).dot(cofactors.col(0));
+  const double constant = 1 - 4 * cofactors.squaredNorm();
+  // From above, where Newton's steps never pass the root.
+  double t = std::sqrt(3.0);
   for (int step = 0; step < MAX_STEPS; ++step) {
-    const Eigen::Matrix3d inverse = r.inverse().transpose();
-    const double scale = std::sqrt(inverse.norm() / r.norm());
-    const Eigen::Matrix3d next = 0.5 * (scale * r + inverse / scale);
-    const double moved = (next - r).squaredNorm();
-    r = next;
-    if (moved < CONVERGED) return r;
+    const double value = ((t * t - 2) * t - 8 * det) * t + constant;
+    const double slope = 4 * ((t * t - 1) * t - 2 * det);
+    const double change = value / slope;
+    t -= change;
+    if (!(change > CONVERGED)) break;
   }
-  return rotationBySvd(m);
+  const double second = 0.5 * (t * t - 1);
+  // The product of the sums of two singular values each.
+  if (!(t * second - det > AMBIGUOUS)) return rotationBySvd(given);
+  Eigen::Matrix3d system = m * m.transpose();
+  system.diagonal().array() += second;
+  return system.inverse() * (cofactors + t * m);
 }
 
 }  // namespace
@@ -70,7 +80,6 @@ std::vector<Eigen::Matrix3d> Arap::Impl::rotations(const Points& p) const {
   return r;
 }
 
-/// The right-hand side the rotated edges at rest make.
 /// Weights by which squares act like the Charbonnier function of each vertex's strain, whose scale
 /// is the median strain: lengths add up beyond it instead of squares.
 Vector Arap::Impl::cellStiffness(const Points& p) const {
@@ -95,6 +104,7 @@ Vector Arap::Impl::cellStiffness(const Points& p) const {
   return (1 + strain.array() / std::max(RIGID, *middle)).rsqrt();
 }
 
+/// The right-hand side the rotated edges at rest make.
 Points Arap::Impl::rigidPull(const std::vector<Eigen::Matrix3d>& r, const Vector& stiffness) const {
   Points b = Points::Zero(rest.rows(), 3);
   for (int i = 0; i < rest.rows(); ++i)

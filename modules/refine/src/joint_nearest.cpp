@@ -8,6 +8,22 @@
 #include <limits>
 
 namespace posture {
+namespace {
+
+/// Takes row j of b where it is nearer than what each row of a has. Without branches: vectorized.
+void keepLess(
+    const float* products, float offset, int j, Eigen::VectorXf& best, std::vector<int>& nearest) {
+  float* const least = best.data();
+  int* const index = nearest.data();
+  for (Eigen::Index i = 0; i < best.size(); ++i) {
+    const float d = offset - products[i];
+    const bool less = d < least[i];
+    index[i] = less ? j : index[i];
+    least[i] = less ? d : least[i];
+  }
+}
+
+}  // namespace
 
 void nearestBothWays(const Eigen::Ref<const Eigen::MatrixXf>& a,
                      const Eigen::Ref<const Eigen::MatrixXf>& b,
@@ -22,21 +38,17 @@ void nearestBothWays(const Eigen::Ref<const Eigen::MatrixXf>& a,
   backward.assign(nb, 0);
   Eigen::VectorXf best_a = Eigen::VectorXf::Constant(na, std::numeric_limits<float>::infinity());
   Eigen::MatrixXf products;
+  Eigen::VectorXf distance(na);
   for (Eigen::Index first = 0; first < nb; first += BLOCK) {
     const Eigen::Index width = std::min(BLOCK, nb - first);
     products.noalias() = a * b.middleRows(first, width).transpose();
     for (Eigen::Index j = 0; j < width; ++j) {
-      const float offset = half_b[first + j];
-      Eigen::Index nearest = 0;
-      (half_a - products.col(j)).minCoeff(&nearest);
-      backward[first + j] = static_cast<int>(nearest);
-      for (Eigen::Index i = 0; i < na; ++i) {
-        const float d = offset - products(i, j);
-        if (d < best_a[i]) {
-          best_a[i] = d;
-          forward[i] = static_cast<int>(first + j);
-        }
-      }
+      const int row_b = static_cast<int>(first + j);
+      distance = half_a - products.col(j);
+      const float* const nearest =
+          std::find(distance.data(), distance.data() + na, distance.minCoeff());
+      backward[row_b] = static_cast<int>(nearest - distance.data());
+      keepLess(products.col(j).data(), half_b[row_b], row_b, best_a, forward);
     }
   }
 }
