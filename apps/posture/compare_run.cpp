@@ -24,7 +24,7 @@ struct Outcome {
   std::string status, message;
   Points registered;  ///< in the target's frame; 0 x 3: nothing came out
   std::vector<SurfacePoint> on_target;
-  double stretch = 0;  ///< mean |log| of the change of an edge's length
+  std::optional<RegistrationResult> bent;  ///< where the source is
   std::optional<double> trust;
   std::optional<ScanSurface> target_scan;
 };
@@ -35,12 +35,12 @@ Outcome registerByPosture(const Shape& source, const Shape& target) {
   outcome.status = result.status == Status::REGISTERED ? "registered" : "undecided";
   outcome.message = result.message;
   outcome.trust = result.trust;
+  outcome.target_scan = result.target_scan;
   if (result.deformed.rows() > 0) {
-    outcome.stretch = fitOf(source, target, result).mean_stretch;
-    outcome.registered = std::move(result.deformed);
-    outcome.on_target = std::move(result.correspondence.on_target);
+    outcome.registered = result.deformed;
+    outcome.on_target = result.correspondence.on_target;
+    outcome.bent = std::move(result);
   }
-  outcome.target_scan = std::move(result.target_scan);
   return outcome;
 }
 
@@ -128,7 +128,6 @@ void judge(const BenchmarkPair& pair, const PairData& data, const Outcome& outco
                                     outcome.on_target.end(),
                                     [](const SurfacePoint& p) { return p.vertex >= 0; });
   json["mapped"] = mapped;
-  json["stretch"] = outcome.stretch;
   const Closeness close = measureCloseness(outcome.registered, data.target.cloud.points);
   json["mean_distance"] = close.mean_distance;
   json["source_near"] = close.moved_near;
@@ -143,6 +142,9 @@ Json registerAndJudge(const ComparedRun& run) {
   Outcome outcome = apply(run, source.shape, data.target);
   const double seconds = data.read_seconds + secondsSince(start);
   const double memory = peakMemoryMib();
+  // A rigid motion stretches nothing.
+  const double stretch =
+      outcome.bent ? fitOf(source.shape, data.target, *outcome.bent).mean_stretch : 0;
   restoreOrder(source.given, outcome);
 
   Json json = describeRun(run);
@@ -154,7 +156,10 @@ Json registerAndJudge(const ComparedRun& run) {
   json["seconds"] = seconds;
   json["peak_memory_mib"] = memory;
   json["threads"] = omp_get_max_threads();
-  if (outcome.registered.rows() > 0) judge(run.pair, data, outcome, json);
+  if (outcome.registered.rows() > 0) {
+    json["stretch"] = stretch;
+    judge(run.pair, data, outcome, json);
+  }
   return json;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 // In the tutorial's proportions.
 constexpr auto LEAF = static_cast<float>(FEATURE_LEAF);
-constexpr float NORMAL_RADIUS = 2 * LEAF;
+constexpr float NORMAL_RADIUS = LEAF;
 constexpr float FEATURE_RADIUS = 5 * LEAF;
 constexpr float INLIER_DISTANCE = 2.5f * LEAF;
 
@@ -32,7 +32,11 @@ typename pcl::PointCloud<Point>::Ptr filtered(const typename pcl::PointCloud<Poi
   return result;
 }
 
-/// Filtered: normals that are given are averaged, others estimated afterwards.
+/// PCL takes the fit of each sample at random from so many nearest features and asks for no fewer.
+constexpr int NEAREST_FEATURES = 5;
+
+/// Filtered: normals that are given are averaged, others estimated for what is left, from all
+/// points.
 Cloud::Ptr prepared(const LocalCloud& local) {
   if (local.normals.rows() > 0) {
     const Cloud::Ptr cloud = filtered<pcl::PointNormal>(toPclWithNormals(local));
@@ -43,7 +47,7 @@ Cloud::Ptr prepared(const LocalCloud& local) {
   LocalCloud reduced{Points(static_cast<Eigen::Index>(cloud->size()), 3), {}, local.sensor};
   for (int i = 0; i < reduced.points.rows(); ++i)
     reduced.points.row(i) = (*cloud)[i].getVector3fMap().transpose().cast<double>();
-  return toPclWithNormals(withNormals(reduced, NORMAL_RADIUS));
+  return toPclWithNormals(withNormals(reduced, local.points, NORMAL_RADIUS));
 }
 
 struct Described {
@@ -73,7 +77,7 @@ Described describe(const Cloud::Ptr& cloud) {
 
 Alignment alignFeatures(const LocalCloud& source, const LocalCloud& target, std::uint64_t seed) {
   const Described from = describe(prepared(source)), to = describe(prepared(target));
-  if (from.points->size() < 3 || to.points->size() < 3) return {};
+  if (from.points->size() < NEAREST_FEATURES || to.points->size() < NEAREST_FEATURES) return {};
   std::srand(static_cast<unsigned>(seed));
   pcl::SampleConsensusPrerejective<pcl::PointNormal, pcl::PointNormal, pcl::FPFHSignature33>
       registration;
@@ -83,8 +87,8 @@ Alignment alignFeatures(const LocalCloud& source, const LocalCloud& target, std:
   registration.setTargetFeatures(to.features);
   registration.setMaximumIterations(50000);
   registration.setNumberOfSamples(3);
-  registration.setCorrespondenceRandomness(5);
-  registration.setSimilarityThreshold(0.9f);
+  registration.setCorrespondenceRandomness(NEAREST_FEATURES);
+  registration.setSimilarityThreshold(0.95f);
   registration.setMaxCorrespondenceDistance(INLIER_DISTANCE);
   registration.setInlierFraction(0.25f);
   Cloud moved;

@@ -7,17 +7,14 @@
 #include "pcl_cloud.h"
 
 namespace posture {
+namespace {
 
-LocalCloud withNormals(const LocalCloud& cloud, double radius) {
-  if (cloud.normals.rows() > 0) return cloud;
+using Estimation = pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal>;
+
+LocalCloud withEstimated(const LocalCloud& cloud, Estimation& estimation) {
   const Eigen::Vector3d middle = cloud.points.colwise().mean();
   const Eigen::Vector3f viewpoint = cloud.sensor.value_or(middle).cast<float>();
-  pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
   estimation.setInputCloud(toPcl(cloud.points));
-  if (radius > 0)
-    estimation.setRadiusSearch(radius);
-  else
-    estimation.setKSearch(NORMAL_NEIGHBORS);
   estimation.setViewPoint(viewpoint.x(), viewpoint.y(), viewpoint.z());
   pcl::PointCloud<pcl::Normal> normals;
   estimation.compute(normals);
@@ -30,6 +27,23 @@ LocalCloud withNormals(const LocalCloud& cloud, double radius) {
     if (normal.allFinite()) result.normals.row(i) = sign * normal.transpose().cast<double>();
   }
   return result;
+}
+
+}  // namespace
+
+LocalCloud withNormals(const LocalCloud& cloud) {
+  if (cloud.normals.rows() > 0) return cloud;
+  Estimation estimation;
+  estimation.setKSearch(NORMAL_NEIGHBORS);
+  return withEstimated(cloud, estimation);
+}
+
+LocalCloud withNormals(const LocalCloud& cloud, const Points& surface, double radius) {
+  if (cloud.normals.rows() > 0) return cloud;
+  Estimation estimation;
+  estimation.setSearchSurface(toPcl(surface));
+  estimation.setRadiusSearch(radius);
+  return withEstimated(cloud, estimation);
 }
 
 }  // namespace posture

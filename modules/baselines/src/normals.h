@@ -11,7 +11,9 @@ constexpr int NORMAL_NEIGHBORS = 30;
 
 /// The cloud with the normals it has, or with PCL's. Those are turned to the sensor where it is
 /// known, else away from the middle of the points, as a body shows its outside to its scanners.
-/// \param radius  of the neighbourhood; 0: the nearest NORMAL_NEIGHBORS points.
-LocalCloud withNormals(const LocalCloud& cloud, double radius = 0);
+LocalCloud withNormals(const LocalCloud& cloud);
+
+/// Likewise, from the points of `surface` within a radius.
+LocalCloud withNormals(const LocalCloud& cloud, const Points& surface, double radius);
 
 }  // namespace posture

@@ -12,14 +12,15 @@ namespace posture {
 inline double anyDistance() { return std::sqrt(std::numeric_limits<double>::max()); }
 
 /// Runs a registration of PCL from `start` with a bound on the distance of correspondences. Where
-/// it does not converge the motion is the start.
+/// it does not converge the motion is as far as it came.
 template <class Registration>
 Alignment pass(Registration& registration, const Eigen::Matrix4d& start, double largest_distance) {
   typename Registration::PointCloudSource moved;
   registration.setMaxCorrespondenceDistance(largest_distance);
   registration.align(moved, start.cast<typename Registration::Matrix4::Scalar>());
-  if (!registration.hasConverged()) return {start, false};
-  return {registration.getFinalTransformation().template cast<double>(), true};
+  const Eigen::Matrix4d motion = registration.getFinalTransformation().template cast<double>();
+  if (!motion.allFinite()) return {start, false};
+  return {motion, registration.hasConverged()};
 }
 
 template <class Registration>
@@ -33,7 +34,6 @@ Alignment finePass(Registration& registration, const Eigen::Matrix4d& start) {
 template <class Registration>
 Alignment twoPasses(Registration& registration) {
   const Alignment coarse = pass(registration, Eigen::Matrix4d::Identity(), anyDistance());
-  if (!coarse.converged) return coarse;
   return finePass(registration, coarse.motion);
 }
 
