@@ -36,8 +36,10 @@ std::optional<Pair> NewestPair::take() {
     return closed_ || (complete() && (source_.waits || target_.waits || again_));
   });
   if (closed_) return std::nullopt;
+  // The half that was given up is new still: else two streams would outdate each other for ever.
+  const bool given_up = outdatedUnlocked();
   for (Slot* slot : {&source_, &target_}) {
-    slot->was_new = slot->waits;
+    slot->was_new = slot->waits || (given_up && slot->was_new);
     slot->waits = false;
   }
   again_ = false;
@@ -46,6 +48,10 @@ std::optional<Pair> NewestPair::take() {
 
 bool NewestPair::outdated() const {
   const Lock lock(mutex_);
+  return outdatedUnlocked();
+}
+
+bool NewestPair::outdatedUnlocked() const {
   return (source_.was_new && !target_.was_new && target_.waits) ||
          (target_.was_new && !source_.was_new && source_.waits);
 }

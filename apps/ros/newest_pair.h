@@ -37,7 +37,8 @@ class NewestPair {
   std::optional<Pair> take();
 
   /// Of the pair taken last only one side was new, and the other has come since: its result would
-  /// be of two clouds that do not belong together.
+  /// be of two clouds that do not belong together. The pair taken next is never outdated: whatever
+  /// comes, every other pair is registered to its end.
   bool outdated() const;
 
   void close();
@@ -47,10 +48,11 @@ class NewestPair {
   struct Slot {
     Side side;
     bool waits = false;    // came after the last take()
-    bool was_new = false;  // came between the last two
+    bool was_new = false;  // no pair but the last has it, save one that was given up
   };
   void set(Slot& slot, const Side& side);
   bool complete() const;
+  bool outdatedUnlocked() const;
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;

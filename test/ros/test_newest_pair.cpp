@@ -71,6 +71,36 @@ TEST(NewestPair, halfAPairIsOutdatedByItsOtherHalf) {
   EXPECT_FALSE(pairs.outdated());
 }
 
+TEST(NewestPair, twoStreamsDoNotOutdateEachOtherForEver) {
+  NewestPair pairs;
+  pairs.setSource(side(0));
+  pairs.setTarget(side(0));
+  taken(pairs);
+  // One after the other, each while the pair with the other is registered.
+  pairs.setSource(side(1));
+  EXPECT_EQ(taken(pairs), Stamps(1, 0));
+  pairs.setTarget(side(1));
+  EXPECT_TRUE(pairs.outdated());
+  EXPECT_EQ(taken(pairs), Stamps(1, 1)) << "the halves that belong together";
+  pairs.setSource(side(2));
+  EXPECT_FALSE(pairs.outdated()) << "both sides were new to what is registered";
+  pairs.setTarget(side(2));
+  EXPECT_FALSE(pairs.outdated());
+  EXPECT_EQ(taken(pairs), Stamps(2, 2));
+  // The other way around.
+  pairs.setTarget(side(3));
+  EXPECT_EQ(taken(pairs), Stamps(2, 3));
+  pairs.setSource(side(3));
+  EXPECT_TRUE(pairs.outdated());
+  EXPECT_EQ(taken(pairs), Stamps(3, 3));
+  pairs.setTarget(side(4));
+  EXPECT_FALSE(pairs.outdated());
+  // What was new to a pair that was registered whole is not new to the next.
+  EXPECT_EQ(taken(pairs), Stamps(3, 4));
+  pairs.setSource(side(4));
+  EXPECT_TRUE(pairs.outdated());
+}
+
 TEST(NewestPair, againIsOnce) {
   NewestPair pairs;
   pairs.setSource(side(1));
