@@ -489,6 +489,60 @@ TEST(IsometricRegistration, emptyInputsDoNotConverge) {
   EXPECT_EQ(nothing_set.getFitnessScore(), NONE);
 }
 
+TEST(IsometricRegistration, anEmptySourceDropsTheIndicesThatWereSet) {
+  const Registered& r = registered();
+  Registration registration = copyOfRegistered();
+  registration.setIndices(pcl::make_shared<pcl::Indices>(pcl::Indices{5, 900, 7}));
+  registration.setInputSource(pcl::make_shared<Cloud>());
+  Cloud output = *r.source;
+  registration.align(output);
+  EXPECT_FALSE(registration.hasConverged());
+  EXPECT_EQ(registration.getMessage(), "source has no points");
+  EXPECT_TRUE(output.empty());
+  // What comes next takes part as a whole.
+  registration.setSourceMesh(r.source, test::toPolygons(r.source_body.mesh.faces));
+  registration.align(output);
+  EXPECT_TRUE(registration.hasConverged()) << registration.getMessage();
+  EXPECT_TRUE(test::sameBytes(output, r.output));
+}
+
+TEST(IsometricRegistration, anEmptyTargetLeavesTheSourceAsItIs) {
+  const Registered& r = registered();
+  Registration registration = copyOfRegistered();
+  registration.setInputTarget(pcl::make_shared<Cloud>());
+  Registration copy = registration;
+  for (Registration* each : {&registration, &copy}) {
+    Cloud output;
+    each->align(output);
+    EXPECT_EQ(each->getMessage(), "target has no points");
+    EXPECT_TRUE(test::sameBytes(output, *r.source));
+    EXPECT_TRUE(each->getInputTarget()->empty());
+  }
+}
+
+TEST(IsometricRegistration, callbackIsCalledAtOnceWithInputsThatExist) {
+  const Registered& r = registered();
+  using Sizes = std::vector<std::pair<std::size_t, std::size_t>>;
+  Sizes sizes;  // of what it was called with
+  std::function<Base::UpdateVisualizerCallbackSignature> none,
+      callback = [&](const Cloud&cloud, const pcl::Indices&rows, const Cloud&target, const auto&) {
+        sizes.emplace_back(cloud.size(), target.size());
+        EXPECT_TRUE(rows.empty());
+      };
+  Registration registration;
+  EXPECT_FALSE(registration.registerVisualizationCallback(none));
+  EXPECT_TRUE(registration.registerVisualizationCallback(callback));
+  registration.setInputSource(r.source);
+  EXPECT_TRUE(registration.registerVisualizationCallback(callback));
+  EXPECT_TRUE(sizes.empty()) << "called with an input that does not exist";
+  registration.setInputTarget(pcl::make_shared<Cloud>());
+  Base& base = registration;
+  EXPECT_TRUE(base.registerVisualizationCallback(callback));
+  registration.setInputTarget(r.target);
+  EXPECT_TRUE(registration.registerVisualizationCallback(callback));
+  EXPECT_EQ(sizes, (Sizes{{r.source->size(), 0}, {r.source->size(), r.target->size()}}));
+}
+
 /// The message of a registration that finds the data unusable, which leaves the source as it is.
 std::string refusal(Registration& registration) {
   Cloud output, at_rest;

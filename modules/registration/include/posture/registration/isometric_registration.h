@@ -9,6 +9,7 @@
 #include <pcl/registration/registration.h>
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -44,7 +45,8 @@ namespace posture {
 ///    is another function, it judges the source moved by getFinalTransformation() alone, which
 ///    says little about a body that bends.
 /// A new input or new indices withdraw the last answer: hasConverged() is false from then on, an
-/// empty cloud included, which PCL's classes refuse and keep the last one instead.
+/// empty cloud included, which PCL's classes refuse and keep the last one instead. An empty source
+/// also drops the indices that were set.
 ///
 /// Copies share the input clouds, which are const, search methods that were set with
 /// force_no_recompute, and what was handed in for settings without influence; nothing else. Objects
@@ -65,6 +67,7 @@ class IsometricRegistration : public pcl::Registration<PointSource, PointTarget,
   using PointCloudTargetConstPtr = typename Base::PointCloudTargetConstPtr;
   using Ptr = pcl::shared_ptr<IsometricRegistration>;
   using ConstPtr = pcl::shared_ptr<const IsometricRegistration>;
+  using VisualizationCallback = std::function<typename Base::UpdateVisualizerCallbackSignature>;
   using Base::getFitnessScore;
 
   IsometricRegistration();
@@ -96,6 +99,12 @@ class IsometricRegistration : public pcl::Registration<PointSource, PointTarget,
                   std::size_t nb_rows,
                   std::size_t nb_cols) override;
 
+  /// Sets what align() calls once, with the deformed source, the places of the matched points in it
+  /// and the numbers of their matches in the target. As in PCL it is also called at once, with both
+  /// inputs and no indices; here only where both are set, while through a reference to the base PCL
+  /// hands it inputs that do not exist. \return whether there is a callback to call.
+  bool registerVisualizationCallback(VisualizationCallback& callback);
+
   void setOptions(const RegistrationOptions& options) { options_ = options; }
   const RegistrationOptions& getOptions() const { return options_; }
 
@@ -120,8 +129,6 @@ class IsometricRegistration : public pcl::Registration<PointSource, PointTarget,
   double getFitnessScore(double max_range = std::numeric_limits<double>::max());
 
  protected:
-  /// The visualization callback is called once, with the deformed source, the places of the matched
-  /// points in it and the numbers of their matches in the target.
   void computeTransformation(PointCloudSource& output, const Matrix4& guess) override;
 
  private:

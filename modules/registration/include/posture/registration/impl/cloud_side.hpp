@@ -68,6 +68,7 @@ CloudSide cloudSide(const pcl::PointCloud<PointT>& input,
                     const std::vector<pcl::Vertices>& polygons,
                     const Points& normals = {}) {
   CloudSide side;
+  if (input.empty()) return side;  // whatever indices are left of another input
   side.cloud = toPointCloud(pcl::PointCloud<PointT>(input, indices));
   if (normals.rows() == static_cast<Eigen::Index>(input.size()))
     side.cloud.normals = normals(indices, Eigen::all);

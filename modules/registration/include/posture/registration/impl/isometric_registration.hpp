@@ -45,7 +45,7 @@ void IsometricRegistration<PointSource, PointTarget, Scalar>::detach() {
     this->correspondence_estimation_ = this->correspondence_estimation_->clone();
   if (!this->force_no_recompute_) {
     this->tree_ = pcl::make_shared<typename Base::KdTree>();
-    if (this->target_) this->tree_->setInputCloud(this->target_);
+    if (this->target_ && !this->target_->empty()) this->tree_->setInputCloud(this->target_);
   }
   if (!this->force_no_recompute_reciprocal_) {
     this->tree_reciprocal_ = pcl::make_shared<typename Base::KdTreeReciprocal>();
@@ -66,7 +66,12 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricRegistration<PointSource, PointTarget, Scalar>::setInputSource(
     const PointCloudSourceConstPtr& cloud) {
   Base::setInputSource(cloud);
-  if (cloud->empty()) this->input_ = cloud;
+  if (cloud->empty()) {
+    this->input_ = cloud;
+    this->indices_ = pcl::make_shared<pcl::Indices>();  // those that were set name points not there
+    this->fake_indices_ = true;
+    this->use_indices_ = false;
+  }
   source_polygons_.clear();
   withdraw(cloud->empty() ? "source has no points" : "the source is new and was not aligned yet");
 }
@@ -75,7 +80,10 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricRegistration<PointSource, PointTarget, Scalar>::setInputTarget(
     const PointCloudTargetConstPtr& cloud) {
   Base::setInputTarget(cloud);
-  if (cloud->empty()) this->target_.reset();
+  if (cloud->empty()) {
+    this->target_ = cloud;
+    this->target_cloud_updated_ = false;  // no search tree can be built over it
+  }
   target_polygons_.clear();
   withdraw(cloud->empty() ? "target has no points" : "the target is new and was not aligned yet");
 }
@@ -136,6 +144,14 @@ void IsometricRegistration<PointSource, PointTarget, Scalar>::setIndices(std::si
                                                                          std::size_t nb_cols) {
   Base::setIndices(row_start, col_start, nb_rows, nb_cols);
   withdraw("the indices are new and nothing was aligned yet");
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+bool IsometricRegistration<PointSource, PointTarget, Scalar>::registerVisualizationCallback(
+    VisualizationCallback& callback) {
+  if (this->input_ && this->target_) return Base::registerVisualizationCallback(callback);
+  if (callback) this->update_visualizer_ = callback;
+  return static_cast<bool>(callback);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
