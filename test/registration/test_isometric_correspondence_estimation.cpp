@@ -12,6 +12,7 @@
 
 #include "registration/pcl_bodies.h"
 #include "support/shapes.h"
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -150,6 +151,32 @@ TEST(IsometricCorrespondenceEstimation, registersAnewOnlyWhenSomethingChanged) {
   EXPECT_EQ(estimation.getMessage(), "source has no points");
 }
 
+TEST(IsometricCorrespondenceEstimation, emptyInputsHaveNoMatches) {
+  const auto empty = pcl::make_shared<Cloud>();
+  const auto refusal = [](Estimation& estimation) {
+    for (const bool reciprocal : {false, true}) {
+      pcl::Correspondences matches = bodies().matches;
+      if (reciprocal)
+        estimation.determineReciprocalCorrespondences(matches);
+      else
+        estimation.determineCorrespondences(matches);
+      EXPECT_TRUE(matches.empty());
+    }
+    EXPECT_TRUE(estimation.getResult().correspondence.on_target.empty());
+    return estimation.getMessage();
+  };
+  Estimation no_source = bodies().estimation, no_target = bodies().estimation, nothing_set;
+  no_source.setIndicesSource(pcl::make_shared<pcl::Indices>(pcl::Indices{5, 900, 7}));
+  no_source.setInputSource(empty);
+  no_target.setIndicesTarget(pcl::make_shared<pcl::Indices>(pcl::Indices{5, 900, 7}));
+  no_target.setTargetMesh(empty, {});
+  for (const Estimation* each : {&no_source, &no_target})
+    EXPECT_TRUE(each->getResult().correspondence.on_target.empty()) << "of inputs that are gone";
+  EXPECT_EQ(refusal(no_source), "source has no points");
+  EXPECT_EQ(refusal(no_target), "target has no points");
+  EXPECT_EQ(refusal(nothing_set), "an input was not set");
+}
+
 TEST(IsometricCorrespondenceEstimation, copiesAndClonesAreOnTheirOwn) {
   Estimation original = bodies().estimation;
   const Estimation::Base::Ptr clone = original.clone();
@@ -179,9 +206,9 @@ TEST(IsometricCorrespondenceEstimation, takesIndicesOfBothSides) {
       if (is_front(body, i)) indices->push_back(i);
     return indices;
   };
-  const auto source_indices = front(b.source_body);
+  const auto source_indices = front(b.source_body), target_indices = front(b.target_body);
   estimation.setIndicesSource(source_indices);
-  estimation.setIndicesTarget(front(b.target_body));
+  estimation.setIndicesTarget(target_indices);
   pcl::Correspondences matches;
   estimation.determineCorrespondences(matches);
   ASSERT_FALSE(matches.empty()) << estimation.getMessage();
@@ -189,7 +216,13 @@ TEST(IsometricCorrespondenceEstimation, takesIndicesOfBothSides) {
     EXPECT_TRUE(is_front(b.source_body, match.index_query));
     EXPECT_TRUE(is_front(b.target_body, match.index_match));
   }
-  EXPECT_EQ(estimation.getResult().correspondence.on_target.size(), source_indices->size());
+  const std::vector<SurfacePoint>& places = estimation.getResult().correspondence.on_target;
+  ASSERT_EQ(places.size(), source_indices->size());
+  for (const pcl::Correspondence& match : matches) {
+    const auto row = std::find(source_indices->begin(), source_indices->end(), match.index_query) -
+                     source_indices->begin();
+    EXPECT_EQ((*target_indices)[places[row].vertex], match.index_match);
+  }
 }
 
 TEST(IsometricCorrespondenceEstimation, normalsSayWhatIsOutside) {

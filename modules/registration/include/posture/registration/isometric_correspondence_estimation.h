@@ -42,6 +42,11 @@ class IsometricCorrespondenceEstimation
 
   IsometricCorrespondenceEstimation();
 
+  /// An empty cloud is an input without matches, and withdraws the last result. Through a reference
+  /// to the base, where it is another function, an empty target is refused and the last one kept.
+  void setInputSource(const PointCloudSourceConstPtr& cloud);
+  void setInputTarget(const PointCloudTargetConstPtr& cloud);
+
   /// The input and a surface over it, see IsometricRegistration. The polygons are used as long as
   /// this cloud is the input.
   void setSourceMesh(const PointCloudSourceConstPtr& cloud,
@@ -71,11 +76,14 @@ class IsometricCorrespondenceEstimation
 
   typename Base::Ptr clone() const override;
 
-  /// Of the last registration. Rows are the source's points used, vertices those of the target.
+  /// Of the last registration. Rows are the source's points used, vertices the target's points
+  /// used, each numbered in the order of the indices where they are set.
   const RegistrationResult& getResult() const { return clouds_.result; }
   const std::string& getMessage() const { return clouds_.result.message; }
 
  private:
+  /// The last result is no longer one for the inputs.
+  void withdraw(const std::string& message);
   /// Registers if something has changed. \return whether there are inputs.
   bool update();
   CloudSide sourceSide() const;

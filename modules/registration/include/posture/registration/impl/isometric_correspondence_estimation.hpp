@@ -17,9 +17,33 @@ IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
+void IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::withdraw(
+    const std::string& message) {
+  clouds_ = {};
+  clouds_.result.message = message;
+  changed_ = true;
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::setInputSource(
+    const PointCloudSourceConstPtr& cloud) {
+  Base::setInputSource(cloud);
+  if (cloud->empty()) withdraw("source has no points");
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
+void IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::setInputTarget(
+    const PointCloudTargetConstPtr& cloud) {
+  Base::setInputTarget(cloud);
+  if (!cloud->empty()) return;
+  this->target_ = cloud;
+  withdraw("target has no points");
+}
+
+template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::setSourceMesh(
     const PointCloudSourceConstPtr& cloud, const std::vector<pcl::Vertices>& polygons) {
-  this->setInputSource(cloud);
+  setInputSource(cloud);
   source_mesh_ = cloud;
   source_polygons_ = polygons;
 }
@@ -27,7 +51,7 @@ void IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::setSou
 template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::setTargetMesh(
     const PointCloudTargetConstPtr& cloud, const std::vector<pcl::Vertices>& polygons) {
-  this->setInputTarget(cloud);
+  setInputTarget(cloud);
   target_mesh_ = cloud;
   target_polygons_ = polygons;
 }
@@ -61,7 +85,10 @@ bool IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::update
   // The base writes into indices of its own making, which copies share.
   if (this->indices_ && this->fake_indices_)
     this->indices_ = pcl::make_shared<pcl::Indices>(*this->indices_);
-  if (!this->initCompute()) return false;
+  if (!this->initCompute()) {
+    withdraw("an input was not set");
+    return false;
+  }
   if (!changed_ && used_ == *this->indices_) return true;
   RegistrationOptions options = options_;
   options.both_ways = true;
@@ -105,6 +132,7 @@ pcl::Correspondences IsometricCorrespondenceEstimation<PointSource, PointTarget,
 template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::determineCorrespondences(
     pcl::Correspondences& correspondences, double max_distance) {
+  correspondences.clear();
   if (!update()) return;
   correspondences = asTheyLie(clouds_.matches, max_distance);
   this->deinitCompute();
@@ -113,6 +141,7 @@ void IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::determ
 template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::
     determineReciprocalCorrespondences(pcl::Correspondences& correspondences, double max_distance) {
+  correspondences.clear();
   if (!update()) return;
   correspondences = asTheyLie(clouds_.reciprocal_matches, max_distance);
   this->deinitCompute();
