@@ -13,10 +13,8 @@ Json storedResult(const ChildRun& run) {
   std::ifstream file(run.result_file);
   Json json = Json::parse(file, nullptr, false);
   if (!json.is_object() || !json.contains("status")) return nullptr;
-  for (const char* key :
-       {"id", "method", "variation", "seed", "source", "target", "truth", "mirror_truth"})
-    if (run.described.contains(key) && (!json.contains(key) || json[key] != run.described[key]))
-      return nullptr;
+  for (const auto& [key, value] : run.described.items())
+    if (!json.contains(key) || json[key] != value) return nullptr;
   return json;
 }
 
@@ -26,7 +24,8 @@ Json runInChild(const ChildRun& run, const std::function<void()>& waiting) {
       runSelf(run.arguments, std::chrono::duration<double>(run.time_limit), waiting);
   Json result = end.succeeded ? storedResult(run) : Json();
   if (result.is_null()) {
-    result = failedRun(run.described, "failed", end.succeeded ? "left no result" : end.reason);
+    result = failedRun(
+        run.described, "failed", end.succeeded ? "left no result of these files" : end.reason);
     writeText(run.result_file, result.dump(1) + "\n");
   }
   return result;

@@ -5,7 +5,22 @@
 #include <posture/evaluation/truth.h>
 #include <posture/io/shape_io.h>
 
+#include <system_error>
+
 namespace posture::app {
+namespace {
+
+/// Size and time of the last change, by which a file is known to be the same; null where there is
+/// none. \param file  may also be empty, or a truth that is no file.
+Json stampOf(const std::filesystem::path& file) {
+  std::error_code no_size, no_time;
+  const auto size = std::filesystem::file_size(file, no_size);
+  const auto changed = std::filesystem::last_write_time(file, no_time);
+  if (no_size || no_time) return nullptr;
+  return Json::array({size, changed.time_since_epoch().count()});
+}
+
+}  // namespace
 
 PairData readPair(const BenchmarkPair& pair) {
   PairData data;
@@ -31,7 +46,15 @@ Json describePair(const BenchmarkPair& pair, const std::string& method) {
           {"mirror_truth", pair.mirror_truth.string()},
           {"note", pair.note},
           {"target_surface", pair.target_surface.string()},
-          {"target_surface_vertices", pair.target_surface_vertices.string()}};
+          {"target_surface_vertices", pair.target_surface_vertices.string()},
+          {"version", POSTURE_VERSION},
+          {"stamps",
+           {{"source", stampOf(pair.source)},
+            {"target", stampOf(pair.target)},
+            {"truth", stampOf(pair.truth)},
+            {"mirror_truth", stampOf(pair.mirror_truth)},
+            {"target_surface", stampOf(pair.target_surface)},
+            {"target_surface_vertices", stampOf(pair.target_surface_vertices)}}}};
 }
 
 std::vector<SurfacePoint> atVertices(std::vector<SurfacePoint> places) {

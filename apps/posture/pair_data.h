@@ -24,7 +24,8 @@ struct PairData {
 /// \throws InputError  a file cannot be used.
 PairData readPair(const BenchmarkPair& pair);
 
-/// The part of a result that names its pair and method: a result of others is not this pair's.
+/// The part of a result that names its pair and method, the version, and what the files are like
+/// now: a result of others is not this pair's.
 Json describePair(const BenchmarkPair& pair, const std::string& method);
 
 /// The places of a map at vertices, as the field measures it.

@@ -129,6 +129,9 @@ TEST_F(Benchmark, RunsAgainWhatIsDamagedOrOfOtherInputs) {
   std::ofstream(folder_ / "pairs.csv") << "id,source,target\npoints,m/other.off,m/bent.off\n";
   ASSERT_EQ(benchmark().exit_code, 0);
   EXPECT_THAT(result("points")["message"], HasSubstr("other.off"));
+  fs::copy(folder_ / "m/points.off", folder_ / "m/other.off");
+  ASSERT_EQ(benchmark().exit_code, 0);
+  EXPECT_TRUE(result("points").contains("stages")) << "of the file as it was";
 }
 
 TEST_F(Benchmark, APairThatTakesTooLongHasFailed) {

@@ -188,6 +188,35 @@ TEST_F(Compare, ResumesAndKeepsWhatIsNotAskedFor) {
   EXPECT_EQ(result("rigid.aligned.icp")["status"], "converged");
 }
 
+TEST_F(Compare, RunsAgainWhatIsOfOtherFilesOrAnotherVersion) {
+  const auto run = [this] {
+    const auto end = comparePairs({"--variation", "aligned", "--pair", "rigid"});
+    EXPECT_EQ(end.exit_code, 0) << end.err;
+    return std::count(end.err.begin(), end.err.end(), '\n');
+  };
+  EXPECT_EQ(run(), 2);
+  EXPECT_EQ(run(), 0);
+  const double before = result("rigid.aligned.as-given")["mean_distance"];
+
+  TriangleMesh moved = strip(0);
+  moved.vertices.rowwise() += Eigen::RowVector3d(0.06, -0.04, 0.08);
+  writeMesh(folder_ / "moved.off", moved);
+  EXPECT_EQ(run(), 2);
+  EXPECT_GT(result("rigid.aligned.as-given")["mean_distance"], 1.5 * before);
+
+  json stored = result("rigid.aligned.icp");
+  const json version = stored["version"];
+  stored["version"] = "0.0.1";
+  std::ofstream(out_ / "runs/rigid.aligned.icp.json") << stored;
+  EXPECT_EQ(run(), 1);
+  EXPECT_EQ(result("rigid.aligned.icp")["version"], version);
+
+  std::ofstream(folder_ / "pairs.csv") << "id,family,kind,source,target,truth\n"
+                                          "rigid,hard,rigid,flat.off,moved.off,identity\n";
+  EXPECT_EQ(run(), 2);
+  EXPECT_EQ(result("rigid.aligned.icp")["family"], "hard");
+}
+
 TEST_F(Compare, ARunThatTakesTooLongHasFailed) {
   const auto end = comparePairs(
       {"--quiet", "--pair", "rigid", "--variation", "aligned", "--time-limit", "0.001"});
