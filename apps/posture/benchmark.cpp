@@ -89,10 +89,11 @@ struct ChildOptions {
   fs::path list, result;
   std::string id;
   bool paper = false;
+  int parent = 0;
 };
 
 void benchmarkPair(const ChildOptions& options) {
-  endWithParent();
+  endWithParent(options.parent);
   for (const BenchmarkPair& pair : readPairList(options.list))
     if (pair.id == options.id) {
       const Json result = runPair(pair, options.paper ? Method::PAPER : Method::REFINED);
@@ -123,6 +124,7 @@ void addBenchmark(CLI::App& app, Common& common) {
   hidden->add_option("ID", child->id)->required();
   hidden->add_option("RESULT", child->result)->required();
   hidden->add_flag("--paper", child->paper);
+  hidden->add_option("--parent", child->parent)->required();
   hidden->callback([child] { benchmarkPair(*child); });
 }
 

@@ -35,6 +35,7 @@ Log makeLog() {
 pid_t spawnSelf(const std::vector<std::string>& arguments, std::FILE* log) {
   std::vector<std::string> words{"posture"};
   words.insert(words.end(), arguments.begin(), arguments.end());
+  words.insert(words.end(), {"--parent", std::to_string(getpid())});
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
@@ -103,9 +104,9 @@ ChildEnd runSelf(const std::vector<std::string>& arguments,
   return end;
 }
 
-void endWithParent() {
+void endWithParent(int parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() == 1) raise(SIGKILL);  // it ended before we asked
+  if (getppid() != parent) raise(SIGKILL);  // it ended before we asked
 }
 
 }  // namespace posture::app

@@ -16,13 +16,16 @@ struct ChildEnd {
 };
 
 /// Runs this very program with other arguments, in a process of its own: its memory is its own, and
-/// what crashes or hangs it leaves us alive. `waiting` is called a few times a second.
+/// what crashes or hangs it leaves us alive. Arguments `--parent PID` are added, for
+/// endWithParent(). `waiting` is called a few times a second.
 /// \throws std::system_error  no process could be made.
 ChildEnd runSelf(const std::vector<std::string>& arguments,
                  std::chrono::duration<double> time_limit,
                  const std::function<void()>& waiting);
 
 /// In a child: be ended with the parent, whichever way that ends.
-void endWithParent();
+/// \param parent  its process id: where it has ended already another is the parent. That is not
+/// always the process 1, which in a container may itself be ours.
+void endWithParent(int parent);
 
 }  // namespace posture::app

@@ -124,9 +124,16 @@ void compare(const CompareOptions& options, const Common& common) {
     print(comparison, options.folder);
 }
 
-void compareRun(const std::string& request, const fs::path& result_file) {
-  endWithParent();
-  writeText(result_file, runCompared(comparedRun(Json::parse(request))).dump(1) + "\n");
+struct ChildOptions {
+  std::string request;
+  fs::path result;
+  int parent = 0;
+};
+
+void compareRun(const ChildOptions& options) {
+  endWithParent(options.parent);
+  const ComparedRun run = comparedRun(Json::parse(options.request));
+  writeText(options.result, runCompared(run).dump(1) + "\n");
 }
 
 }  // namespace
@@ -156,12 +163,12 @@ void addCompare(CLI::App& app, Common& common) {
       ->capture_default_str();
   verb->callback([options, &common] { compare(*options, common); });
 
-  auto request = std::make_shared<std::string>();
-  auto result_file = std::make_shared<fs::path>();
+  auto child = std::make_shared<ChildOptions>();
   CLI::App* hidden = app.add_subcommand("compare-run", "One run of a comparison")->group("");
-  hidden->add_option("REQUEST", *request)->required();
-  hidden->add_option("RESULT", *result_file)->required();
-  hidden->callback([request, result_file] { compareRun(*request, *result_file); });
+  hidden->add_option("REQUEST", child->request)->required();
+  hidden->add_option("RESULT", child->result)->required();
+  hidden->add_option("--parent", child->parent)->required();
+  hidden->callback([child] { compareRun(*child); });
 }
 
 }  // namespace posture::app

@@ -10,6 +10,7 @@
 #include "apps/program.h"
 #include "support/shapes.h"
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -215,6 +216,33 @@ TEST_F(Compare, RunsAgainWhatIsOfOtherFilesOrAnotherVersion) {
                                           "rigid,hard,rigid,flat.off,moved.off,identity\n";
   EXPECT_EQ(run(), 2);
   EXPECT_EQ(result("rigid.aligned.icp")["family"], "hard");
+}
+
+TEST_F(Compare, RunsAsTheFirstProcessOfAContainer) {
+  const std::vector<std::string> own_processes{"--user", "--map-root-user", "--pid", "--fork"};
+  const auto asFirst = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), own_processes.begin(), own_processes.end());
+    return test::run("/usr/bin/unshare", arguments);
+  };
+  if (asFirst({"/bin/true"}).exit_code != 0) GTEST_SKIP() << "namespaces are not allowed here";
+  const auto end = asFirst({POSTURE,
+                            "compare",
+                            folder_ / "flat.off",
+                            folder_ / "moved.off",
+                            "--method",
+                            "icp",
+                            "--variation",
+                            "aligned",
+                            "-o",
+                            out_});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_EQ(result("pair.aligned.icp")["status"], "converged");
+}
+
+TEST_F(Compare, ARunWhoseParentHasEndedEnds) {
+  const auto end =
+      test::run(POSTURE, {"compare-run", "{}", folder_ / "result.json", "--parent", "1"});
+  EXPECT_EQ(end.exit_code, 128 + SIGKILL) << end.err;
 }
 
 TEST_F(Compare, ARunThatTakesTooLongHasFailed) {
