@@ -22,6 +22,7 @@ constexpr ResultColumn COLUMNS[] = {{"id", "/id"},
                                     {"target_vertices", "/target_vertices"},
                                     {"mapped", "/mapped"},
                                     {"mean_x100", "/errors/mean_x100"},
+                                    {"mean_with_misses_x100", "/errors/mean_with_misses_x100"},
                                     {"median_x100", "/errors/median_x100"},
                                     {"percentile_95_x100", "/errors/percentile_95_x100"},
                                     {"true_pairs", "/errors/true_pairs"},
@@ -60,17 +61,20 @@ std::string page(const Comparison& comparison, const std::vector<std::string>& c
   for (const std::string& verdict : comparison.verdicts) page += "- " + verdict + "\n";
   page +=
       "\n## Errors and costs\n\n" + toMarkdown(comparison.errors) +
-      "\nSource: aligned, as the files are; turned, by 115 degrees and shifted; scaled, turned, "
-      "a thousand times as large and its vertices in another order. The rigid methods "
-      "estimate no scale. Error: mean over the mapped points of the geodesic distance on the "
-      "target from the vertex found to the true vertex, divided by the square root of the "
-      "target's area, times 100; of the rigid ones the vertex found is the one nearest to the "
-      "moved point. Below: share of the true pairs whose error is at most that share of the "
-      "square root. Change: the largest change of a pair's error against the aligned source. "
-      "Side: whether the map is nearer to the truth or to the answer that takes left for "
-      "right. Converged is what PCL says, of posture that it calls the pair registered; came "
-      "to nothing: failed, or not run. Seconds include reading (median) and memory is "
-      "the largest of a process.\n";
+      "\nSource: aligned, as the files are; turned, by 115 degrees and shifted; scaled, turned, a "
+      "thousand times as large and its vertices in another order. The rigid methods estimate no "
+      "scale. Error: mean over the mapped points of the geodesic distance on the target from the "
+      "vertex found to the true vertex, divided by the square root of the target's area, times "
+      "100; of the rigid ones the vertex found is the one nearest to the moved point. Mapped: "
+      "share of the true pairs that have a counterpart; without a truth, of the source's points. "
+      "With misses: the error over all true pairs, one without a counterpart, or with more, "
+      "counting as 25, and a run that failed as well; it says which method is the best one. "
+      "Below: share of the true pairs whose error is at most that share of the square root. "
+      "Change: the largest change of a pair's error against the aligned source; inf: it had none "
+      "there; failed: it has no answer any more. Side: whether the map is nearer to the truth or "
+      "to the answer that takes left for right. Converged is what PCL says, of posture that it "
+      "calls the pair registered; came to nothing: failed, or not run. Seconds include reading "
+      "(median) and memory is the largest of a process.\n";
   for (const std::string& variation : curved)
     page += "\n![Share of points with error below x, source " + variation + "](" +
             curveFile(variation) + ")\n";

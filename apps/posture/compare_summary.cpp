@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/evaluation/map_error.h>
 #include <posture/evaluation/statistics.h>
 
 #include "compare_report.h"
@@ -20,9 +21,17 @@ constexpr std::size_t LONGEST_LIST = 10;  // of pairs in a sentence; comparison.
 
 std::string text(const Json& json, const char* key) { return json.value(key, ""); }
 
+bool isKnown(double figure) { return std::isfinite(figure); }
+
 double errorOf(const Json& run) { return numberAt(run, "/errors/mean_x100"); }
 
-bool isKnown(double figure) { return std::isfinite(figure); }
+/// The figure that methods are ranked by. A run that failed on a pair with a truth missed all of
+/// it.
+double errorWithMisses(const Json& run) {
+  if (text(run, "status") == "failed" && !text(run, "truth").empty())
+    return 100 * curvePlaces().back();
+  return numberAt(run, "/errors/mean_with_misses_x100");
+}
 
 std::string shown(double error) { return formatFixed(error, 2); }
 
@@ -58,20 +67,32 @@ int countOf(const Runs& runs, const std::vector<std::string>& statuses) {
 }
 
 /// The largest change of a pair's error against that of the aligned source.
-double largestChange(const Runs& of_method, const Runs& of_variation) {
-  double change = std::nan("");
-  for (const Json& run : of_variation)
-    for (const Json& aligned : where(of_method, "variation", "aligned"))
-      if (text(aligned, "id") == text(run, "id")) {
-        const double there = std::abs(errorOf(run) / errorOf(aligned) - 1);
-        if (isKnown(there) && !(change >= there)) change = there;
-      }
-  return change;
-}
-
 std::string changeCell(const Runs& of_method, const Runs& runs) {
   if (text(runs.front(), "variation") == "aligned") return "-";
-  return percent(largestChange(of_method, runs));
+  double largest_change = std::nan("");
+  for (const Json& run : runs)
+    for (const Json& aligned : where(of_method, "variation", "aligned")) {
+      const double before = errorOf(aligned), after = errorOf(run);
+      if (text(aligned, "id") != text(run, "id") || !isKnown(before)) continue;
+      if (!isKnown(after)) return "failed";
+      const double change = after == before ? 0 : std::abs(after / before - 1);
+      if (!(largest_change >= change)) largest_change = change;
+    }
+  return std::isinf(largest_change) ? "inf" : percent(largest_change);
+}
+
+/// Of the true pairs, or of the source's points where no truth is known.
+double shareMapped(const Json& run) {
+  if (run.contains("errors"))
+    return numberAt(run, "/errors/mapped_pairs") / numberAt(run, "/errors/true_pairs");
+  return numberAt(run, "/mapped") / numberAt(run, "/source_vertices");
+}
+
+double averageOf(const Runs& runs, const std::function<double(const Json&)>& figure) {
+  std::vector<double> known;
+  for (const Json& run : runs)
+    if (const double value = figure(run); isKnown(value)) known.push_back(value);
+  return mean(known);
 }
 
 std::string shareBelow(const Json& run, double place) {
@@ -106,6 +127,8 @@ TextTable pairTable(const Runs& runs) {
                    "method",
                    "status",
                    "error",
+                   "mapped",
+                   "with misses",
                    "median",
                    "below 1 %",
                    "below 5 %",
@@ -121,6 +144,8 @@ TextTable pairTable(const Runs& runs) {
     row.insert(row.end(),
                {text(run, "status"),
                 shown(errorOf(run)),
+                percent(shareMapped(run)),
+                shown(errorWithMisses(run)),
                 shown(numberAt(run, "/errors/median_x100")),
                 shareBelow(run, 0.01),
                 shareBelow(run, 0.05),
@@ -140,7 +165,8 @@ TextTable listTable(const Runs& runs) {
   const std::vector<std::string> families = valuesOf(judged, "family");
   TextTable table{{"source", "method"}, {}};
   for (const std::string& family : families) table.header.push_back(family.empty() ? "-" : family);
-  for (const char* name : {"all", "change", "converged", "came to nothing", "s", "MiB"})
+  for (const char* name :
+       {"all", "mapped", "with misses", "change", "converged", "came to nothing", "s", "MiB"})
     table.header.emplace_back(name);
   forEachRow(runs, [&](const Runs& chosen, const Runs& of_method) {
     Cells row = rowHead(chosen);
@@ -149,6 +175,8 @@ TextTable listTable(const Runs& runs) {
     const bool can_converge = text(chosen.front(), "method") != "as-given";
     row.insert(row.end(),
                {shown(mean(figures(chosen, "/errors/mean_x100"))),
+                percent(averageOf(chosen, shareMapped)),
+                shown(averageOf(chosen, errorWithMisses)),
                 changeCell(of_method, chosen),
                 can_converge ? std::to_string(countOf(chosen, {"converged", "registered"})) +
                                    " of " + std::to_string(chosen.size())
@@ -176,46 +204,92 @@ TextTable fitTable(const Runs& runs) {
   return table;
 }
 
-/// The runs of a pair whose figure is known, the least first; ties keep their order.
-Runs ranked(const Runs& of_pair, const std::function<double(const Json&)>& figure) {
+/// Methods of a pair whose figures are the same as shown.
+struct Place {
+  std::string figure;
+  Cells methods;  // names
+
+  bool has(const std::string& key) const {
+    return std::find(methods.begin(), methods.end(), nameOfMethod(key)) != methods.end();
+  }
+};
+
+/// The least figure first, without the runs that have none.
+std::vector<Place> places(const Runs& of_pair,
+                          const std::function<double(const Json&)>& figure,
+                          const std::function<std::string(double)>& show) {
   Runs known = select(of_pair, [&](const Json& run) { return isKnown(figure(run)); });
   std::stable_sort(known.begin(), known.end(), [&](const Json& a, const Json& b) {
     return figure(a) < figure(b);
   });
-  return known;
+  std::vector<Place> order;
+  for (const Json& run : known) {
+    if (order.empty() || order.back().figure != show(figure(run)))
+      order.push_back({show(figure(run)), {}});
+    order.back().methods.push_back(nameOfMethod(text(run, "method")));
+  }
+  return order;
+}
+
+/// By the error with misses, of the runs that have an answer.
+std::vector<Place> placesByError(const Runs& of_pair) {
+  const Runs answered = select(of_pair, [](const Json& run) { return run.contains("errors"); });
+  return places(answered, errorWithMisses, shown);
+}
+
+/// "ICP", "ICP and GICP", "ICP, GICP and NDT".
+std::string listed(const Cells& names) {
+  std::string words;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    words += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return words;
+}
+
+std::string methodsAre(const Cells& names) {
+  return (names.size() == 1 ? "method is " : "methods are ") + listed(names);
+}
+
+/// "posture failed"; empty: it has an answer, or was not run.
+std::string lackOfOurs(const Runs& of_pair) {
+  for (const Json& run : where(of_pair, "method", "posture"))
+    if (!run.contains("errors")) return "posture " + text(run, "status");
+  return "";
+}
+
+std::string bestByError(const Runs& of_pair, const std::vector<Place>& order) {
+  const Place& best = order.front();
+  std::string sentence = best.has("as-given")
+                             ? "no method improves on the source as given, error with misses "
+                             : "the best " + methodsAre(best.methods) + ", error with misses ";
+  sentence += best.figure;
+  for (std::size_t place = 1; place < order.size(); ++place)
+    if (place == 1 || order[place].has("posture"))
+      sentence += (place == 1 ? "; next " : "; ") + listed(order[place].methods) + ", " +
+                  order[place].figure;
+  if (const std::string lack = lackOfOurs(of_pair); !lack.empty()) sentence += "; " + lack;
+  return sentence + ".";
 }
 
 std::string bestOfPair(const Runs& of_pair) {
-  const Runs best = ranked(of_pair, errorOf);
-  if (!best.empty()) {
-    const auto named = [](const Json& run) { return nameOfMethod(text(run, "method")); };
-    std::string sentence = "the best method is " + named(best.front()) + ", mean error " +
-                           shown(errorOf(best.front()));
-    if (text(best.front(), "method") == "as-given")
-      sentence =
-          "no method improves on the source as given, mean error " + shown(errorOf(best.front()));
-    for (std::size_t place = 1; place < best.size(); ++place)
-      if (place == 1 || text(best[place], "method") == "posture")
-        sentence += (place == 1 ? "; next " : "; ") + named(best[place]) + ", " +
-                    shown(errorOf(best[place]));
-    return sentence + ".";
-  }
-  const Runs near =
-      ranked(of_pair, [](const Json& run) { return numberAt(run, "/mean_distance"); });
+  const std::vector<Place> order = placesByError(of_pair);
+  if (!order.empty()) return bestByError(of_pair, order);
+  const std::vector<Place> near = places(
+      of_pair,
+      [](const Json& run) { return numberAt(run, "/mean_distance"); },
+      [](double distance) { return percent(distance, 2); });
   if (near.empty()) return "no method has a result.";
-  return "no truth is known; nearest to the target is " +
-         nameOfMethod(text(near.front(), "method")) + ", on average " +
-         percent(numberAt(near.front(), "/mean_distance"), 2) + " of its diagonal.";
+  return "no truth is known; nearest to the target is " + listed(near.front().methods) +
+         ", on average " + near.front().figure + " of its diagonal.";
 }
 
-/// "posture on 60 pairs, ICP on 2", the most first.
+/// "posture on 60, ICP and GICP on 2", the most first.
 std::string winners(const std::map<std::string, int>& wins) {
   std::vector<std::pair<std::string, int>> order(wins.begin(), wins.end());
   std::stable_sort(
       order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   std::string words;
-  for (const auto& [method, count] : order)
-    words += (words.empty() ? "" : ", ") + nameOfMethod(method) + " on " + std::to_string(count);
+  for (const auto& [methods, count] : order)
+    words += (words.empty() ? "" : ", ") + methods + " on " + std::to_string(count);
   return words;
 }
 
@@ -224,15 +298,18 @@ std::string bestOfList(const Runs& of_variation) {
   Cells better;
   int judged = 0;
   for (const std::string& id : valuesOf(of_variation, "id")) {
-    const Runs best = ranked(where(of_variation, "id", id), errorOf);
-    if (best.empty()) continue;
+    const Runs of_pair = where(of_variation, "id", id);
+    const std::vector<Place> order = placesByError(of_pair);
+    if (order.empty()) continue;
     ++judged;
-    ++wins[text(best.front(), "method")];
-    const Runs ours = where(best, "method", "posture");
-    if (text(best.front(), "method") != "posture" && !ours.empty())
-      better.push_back(id + " (" + nameOfMethod(text(best.front(), "method")) + " " +
-                       shown(errorOf(best.front())) + ", posture " + shown(errorOf(ours.front())) +
-                       ")");
+    const Place& best = order.front();
+    ++wins[listed(best.methods)];
+    if (best.has("posture")) continue;
+    std::string ours = lackOfOurs(of_pair);
+    for (const Place& place : order)
+      if (place.has("posture")) ours = "posture " + place.figure;
+    if (!ours.empty())
+      better.push_back(id + " (" + listed(best.methods) + " " + best.figure + ", " + ours + ")");
   }
   if (judged == 0) return "no truth is known, so no method is the best one.";
   std::string sentence =

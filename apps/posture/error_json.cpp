@@ -19,6 +19,7 @@ Json toJson(const MapErrors& errors) {
   return {{"mean_x100", x100(mean(errors.relative_error))},
           {"median_x100", x100(percentile(errors.relative_error, 0.5))},
           {"percentile_95_x100", x100(percentile(errors.relative_error, 0.95))},
+          {"mean_with_misses_x100", x100(meanWithMisses(errors))},
           {"source_vertices", errors.source_vertices},
           {"accepted", errors.accepted},
           {"rejected", errors.source_vertices - errors.accepted},

@@ -112,6 +112,31 @@ TEST(MapError, CurveRisesToTheShareMapped) {
   EXPECT_NEAR(curve.back(), static_cast<double>(errors.mapped_pairs) / errors.true_pairs, 1e-12);
 }
 
+TEST(MapError, MissesCountAsTheEndOfTheCurve) {
+  const TargetMetric target(plane());
+  const int n = target.vertexCount();
+  const auto errorsOf = [&](const std::vector<int>& map) {
+    return measureErrors(target, onVertices(map), identity(n));
+  };
+  EXPECT_EQ(meanWithMisses(errorsOf(identityMap())), 0);
+  EXPECT_EQ(meanWithMisses(errorsOf(std::vector<int>(n, -1))), 0.25);
+  EXPECT_TRUE(std::isnan(meanWithMisses(measureErrors(target, onVertices(identityMap()), {}))));
+  // From one end to the other is as bad as no answer, and leaving the worst out gains nothing.
+  const MapErrors far = errorsOf(std::vector<int>(n, 0));
+  std::vector<int> near_alone(n, 0);
+  for (int r = 0; r <= ROWS; ++r)
+    for (int c = COLUMNS / 4; c <= COLUMNS; ++c) near_alone[vertexAt(c, r)] = -1;
+  const MapErrors near = errorsOf(near_alone);
+  EXPECT_LT(mean(near.relative_error), 0.7 * mean(far.relative_error));
+  EXPECT_GE(meanWithMisses(near), meanWithMisses(far) - 1e-12);
+  EXPECT_LE(meanWithMisses(far), 0.25);
+  // The area above the curve.
+  const MapErrors shifted = errorsOf(shiftedMap());
+  double area = 0;
+  for (double below : errorCurve(shifted)) area += (1 - below) * 0.25 / 100;
+  EXPECT_NEAR(meanWithMisses(shifted), area, 0.25 / 100);
+}
+
 TEST(MapError, SparseTruthJudgesItsPairsOnly) {
   const TargetMetric target(plane());
   const MapErrors errors = measureErrors(target, onVertices(shiftedMap()), {{0, 0}, {5, 7}});

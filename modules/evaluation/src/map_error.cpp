@@ -100,6 +100,15 @@ std::vector<double> errorCurve(const MapErrors& errors) {
   return curve;
 }
 
+double meanWithMisses(const MapErrors& errors) {
+  const double last = curvePlaces().back();
+  std::vector<double> capped = errors.relative_error;
+  for (double& error : capped) error = std::min(error, last);
+  const double of_mapped = capped.empty() ? last : mean(capped);
+  const double share_mapped = static_cast<double>(errors.mapped_pairs) / errors.true_pairs;
+  return share_mapped * of_mapped + (1 - share_mapped) * last;
+}
+
 std::vector<int> edgeHistogram(const MapErrors& errors) {
   std::vector<int> histogram;
   for (int edges : errors.edge_error) {

@@ -38,6 +38,11 @@ std::vector<double> curvePlaces();
 /// counterpart count as never below, so the curve ends at the share mapped or lower.
 std::vector<double> errorCurve(const MapErrors& errors);
 
+/// The mean error over all true pairs, where one without a counterpart, or with a larger error,
+/// counts as the end of the curve, 0.25: what the area above the curve comes to. Other than of the
+/// mean of the mapped pairs, nothing is gained by leaving pairs out. NaN: there is no true pair.
+double meanWithMisses(const MapErrors& errors);
+
 /// How many of the measured pairs are 0, 1, 2, ... edges off.
 std::vector<int> edgeHistogram(const MapErrors& errors);
 
