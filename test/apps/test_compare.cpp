@@ -159,7 +159,65 @@ TEST_F(Compare, MirroredAnswersAreToldFromTrueOnes) {
                             "aligned"});
   ASSERT_EQ(end.exit_code, 0) << end.err;
   EXPECT_EQ(result("pair.aligned.as-given")["mirror"]["wrong_side"], false);
-  EXPECT_THAT(end.out, HasSubstr("right"));
+  EXPECT_THAT(end.out, HasSubstr(" right "));
+
+  const auto mirrored = compare({folder_ / "flat.off",
+                                 folder_ / "moved.off",
+                                 "--truth",
+                                 folder_ / "mirror.txt",
+                                 "--mirror",
+                                 "identity",
+                                 "--method",
+                                 "as-given",
+                                 "--variation",
+                                 "aligned"});
+  ASSERT_EQ(mirrored.exit_code, 0) << mirrored.err;
+  EXPECT_EQ(result("pair.aligned.as-given")["mirror"]["wrong_side"], true);
+  EXPECT_THAT(mirrored.out, HasSubstr(" wrong "));
+}
+
+/// A body that holds still, in noise: what rigid methods are made for.
+TEST_F(Compare, RigidMethodsAreBestWhereABodyHeldStill) {
+  const auto end = compare({DATA_DIR "/rigid/pairs.csv",
+                            "--variation",
+                            "aligned",
+                            "--method",
+                            "posture",
+                            "--method",
+                            "as-given",
+                            "--method",
+                            "icp",
+                            "--method",
+                            "gicp"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_THAT(end.out, HasSubstr("Source aligned: the best method"));
+  EXPECT_THAT(
+      end.out,
+      AnyOf(HasSubstr(" is ICP, "), HasSubstr(" is GICP, "), HasSubstr(" are ICP and GICP, ")));
+  const auto error = [this](const std::string& method) -> double {
+    return result("quadruped-rigid.aligned." + method)["errors"]["mean_with_misses_x100"];
+  };
+  EXPECT_LT(error("icp"), 0.5 * error("posture"));
+  EXPECT_LT(error("posture"), 0.5 * error("as-given"));
+  EXPECT_EQ(result("quadruped-rigid.aligned.icp")["mirror"]["wrong_side"], false);
+}
+
+TEST_F(Compare, WhereABentBodyIsIsNothingToPosture) {
+  const auto end = compare({DATA_DIR "/human/pairs.csv", "--method", "posture", "--method", "icp"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  const auto error = [this](const std::string& variation, const std::string& method) -> double {
+    return result("human-pose0-pose6." + variation + "." + method)["errors"]["mean_x100"];
+  };
+  const double ours = error("aligned", "posture"), icp = error("aligned", "icp");
+  EXPECT_LT(ours, 2);
+  EXPECT_GT(icp, 4 * ours);
+  for (const char* variation : {"turned", "scaled"}) {
+    EXPECT_NEAR(error(variation, "posture"), ours, 0.02 * ours) << variation;
+    EXPECT_GT(error(variation, "icp"), 1.02 * icp) << variation;
+  }
+  for (const char* variation : {"aligned", "turned", "scaled"})
+    EXPECT_THAT(end.out,
+                HasSubstr("Source " + std::string(variation) + ": the best method is posture, "));
 }
 
 TEST_F(Compare, LeavingPointsOutDoesNotWin) {
