@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/finite_rows.h>
 #include <posture/deformation/apply_deformation.h>
 #include <posture/io/mesh_io.h>
 #include <posture/io/shape_io.h>
@@ -53,9 +54,7 @@ DeformedSurface readDeformation(const fs::path& folder) {
 void applyVerb(const ApplyOptions& options, const Common& common) {
   const DeformedSurface stored = readDeformation(options.folder);
   Shape shape = readShape(options.points);
-  std::vector<int> seen;
-  for (int i = 0; i < shape.cloud.points.rows(); ++i)
-    if (shape.cloud.points.row(i).allFinite()) seen.push_back(i);
+  const std::vector<int> seen = finiteRows(shape.cloud.points);
   const Points moved =
       applyDeformation(stored.rest, stored.deformed, shape.cloud.points(seen, Eigen::all));
   shape.cloud.points(seen, Eigen::all) = moved;

@@ -38,10 +38,6 @@ std::vector<std::string> methodKeys() {
   return keys;
 }
 
-bool isAmong(const std::vector<std::string>& asked, const std::string& name) {
-  return asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end();
-}
-
 bool isAsked(const ComparedRun& run, const CompareOptions& options) {
   return options.selection.has(run.pair) && isAmong(options.methods, run.method) &&
          isAmong(options.variations, run.variation);

@@ -4,6 +4,7 @@
 
 #include <posture/baselines/rigid_registration.h>
 #include <posture/core/error.h>
+#include <posture/core/finite_rows.h>
 #include <posture/evaluation/closeness.h>
 #include <posture/mesh/normals.h>
 #include <posture/mesh/point_index.h>
@@ -53,18 +54,11 @@ PointCloud cloudOf(const Shape& shape) {
 
 /// To each point the nearest of the target's; points that were not seen have none.
 std::vector<SurfacePoint> nearestPoints(const Points& registered, const Points& target) {
-  std::vector<int> seen;
-  Points finite(target.rows(), 3);
-  for (int i = 0; i < target.rows(); ++i)
-    if (target.row(i).allFinite()) {
-      finite.row(static_cast<Eigen::Index>(seen.size())) = target.row(i);
-      seen.push_back(i);
-    }
-  const PointIndex index(finite.topRows(static_cast<Eigen::Index>(seen.size())));
+  const std::vector<int> seen = finiteRows(target);
+  const PointIndex index(target(seen, Eigen::all));
   std::vector<SurfacePoint> places(registered.rows());
-  for (int i = 0; i < registered.rows(); ++i)
-    if (registered.row(i).allFinite())
-      places[i].vertex = seen[index.nearest(registered.row(i)).index];
+  for (int i : finiteRows(registered))
+    places[i].vertex = seen[index.nearest(registered.row(i)).index];
   return places;
 }
 

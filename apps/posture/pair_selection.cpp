@@ -16,11 +16,11 @@ void checkKnown(const std::vector<std::string>& asked,
       throw CLI::ValidationError(std::string("the list has no ") + what + " '" + name + "'");
 }
 
-bool isAmong(const std::vector<std::string>& names, const std::string& name) {
-  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-}
-
 }  // namespace
+
+bool isAmong(const std::vector<std::string>& asked, const std::string& name) {
+  return asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end();
+}
 
 bool PairSelection::has(const BenchmarkPair& pair) const {
   return isAmong(families, pair.family) && isAmong(ids, pair.id);

@@ -21,6 +21,9 @@ struct PairSelection {
   void check(const std::vector<BenchmarkPair>& pairs) const;
 };
 
+/// No name asked for stands for all.
+bool isAmong(const std::vector<std::string>& asked, const std::string& name);
+
 void addSelection(CLI::App& verb, PairSelection& selection);
 
 }  // namespace posture::app

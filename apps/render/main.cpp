@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/finite_rows.h>
 #include <posture/io/mesh_io.h>
 #include <posture/io/shape_io.h>
 
@@ -94,9 +95,7 @@ std::string describe(const posture::render::Sheet& sheet, const std::string& out
 posture::MeshFile toDraw(posture::Shape shape) {
   posture::PointCloud& cloud = shape.cloud;
   if (shape.faces.rows() > 0) return {{cloud.points, shape.faces}, cloud.normals, cloud.colors};
-  std::vector<int> seen;
-  for (int i = 0; i < cloud.points.rows(); ++i)
-    if (cloud.points.row(i).allFinite()) seen.push_back(i);
+  const std::vector<int> seen = posture::finiteRows(cloud.points);
   posture::MeshFile file;
   file.mesh.vertices = cloud.points(seen, Eigen::all);
   if (cloud.normals.rows() > 0) file.normals = cloud.normals(seen, Eigen::all);

@@ -3,6 +3,7 @@
 #include "working_frame.h"
 
 #include <posture/core/error.h>
+#include <posture/core/finite_rows.h>
 
 #include <Eigen/SVD>
 
@@ -14,21 +15,12 @@ namespace {
 
 constexpr int FEWEST_POINTS = 10;
 
-std::vector<int> finiteRows(const Points& points) {
-  std::vector<int> rows;
-  for (int i = 0; i < points.rows(); ++i)
-    if (points.row(i).allFinite()) rows.push_back(i);
+std::vector<int> enoughRows(const Points& points) {
+  std::vector<int> rows = finiteRows(points);
   if (rows.size() < FEWEST_POINTS)
     throw InputError(std::to_string(rows.size()) + " points, expected " +
                      std::to_string(FEWEST_POINTS) + " or more");
   return rows;
-}
-
-Points rowsOf(const Points& points, const std::vector<int>& rows) {
-  Points chosen(static_cast<Eigen::Index>(rows.size()), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    chosen.row(static_cast<Eigen::Index>(i)) = points.row(rows[i]);
-  return chosen;
 }
 
 /// The length that holds the middle 98 % of the numbers.
@@ -41,7 +33,7 @@ double spread(Vector values) {
 }  // namespace
 
 WorkingFrame::WorkingFrame(const Points& target, double size) {
-  const Points points = rowsOf(target, finiteRows(target));
+  const Points points = target(enoughRows(target), Eigen::all);
   center_ = points.colwise().mean();
   const Eigen::Vector3d box(spread(points.col(0)), spread(points.col(1)), spread(points.col(2)));
   unit_ = box.norm() / size;
@@ -49,10 +41,10 @@ WorkingFrame::WorkingFrame(const Points& target, double size) {
 }
 
 LocalCloud WorkingFrame::local(const PointCloud& cloud) const {
-  const std::vector<int> rows = finiteRows(cloud.points);
+  const std::vector<int> rows = enoughRows(cloud.points);
   LocalCloud local;
-  local.points = (rowsOf(cloud.points, rows).rowwise() - center_.transpose()) / unit_;
-  if (cloud.normals.rows() > 0) local.normals = rowsOf(cloud.normals, rows);
+  local.points = (cloud.points(rows, Eigen::all).rowwise() - center_.transpose()) / unit_;
+  if (cloud.normals.rows() > 0) local.normals = cloud.normals(rows, Eigen::all);
   if (cloud.sensor) local.sensor = (*cloud.sensor - center_) / unit_;
   return local;
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/finite_rows.h>
 #include <posture/evaluation/closeness.h>
 #include <posture/evaluation/statistics.h>
 #include <posture/mesh/point_index.h>
@@ -15,13 +16,10 @@ namespace {
 constexpr int NEIGHBORS = 16;
 constexpr double PI = 3.141592653589793;
 
-Points finiteRows(const Points& points) {
-  Points finite(points.rows(), 3);
-  Eigen::Index count = 0;
-  for (int i = 0; i < points.rows(); ++i)
-    if (points.row(i).allFinite()) finite.row(count++) = points.row(i);
-  require(count > 0, "no point");
-  return finite.topRows(count);
+Points seenOf(const Points& points) {
+  const std::vector<int> seen = finiteRows(points);
+  require(!seen.empty(), "no point");
+  return points(seen, Eigen::all);
 }
 
 /// From each of `from` to the nearest of `to`.
@@ -50,7 +48,7 @@ double shareWithin(const std::vector<double>& lengths, double limit) {
 }  // namespace
 
 Closeness measureCloseness(const Points& moved, const Points& target) {
-  const Points from = finiteRows(moved), to = finiteRows(target);
+  const Points from = seenOf(moved), to = seenOf(target);
   const PointIndex from_index(from), to_index(to);
   const double spacing = spacingOf(to, to_index);
   const double diagonal = (to.colwise().maxCoeff() - to.colwise().minCoeff()).norm();

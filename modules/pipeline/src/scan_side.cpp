@@ -3,6 +3,7 @@
 #include "scan_side.h"
 
 #include <posture/core/error.h>
+#include <posture/core/finite_rows.h>
 #include <posture/deformation/apply_deformation.h>
 #include <posture/mesh/nearest_in_triangle.h>
 #include <posture/mesh/point_index.h>
@@ -145,9 +146,7 @@ Correspondence betweenShapes(const SideSurface& from,
 
 /// Missing points stay so.
 Points movedPoints(const TriangleMesh& surface, const Points& deformed, const PointCloud& cloud) {
-  std::vector<int> seen;
-  for (int i = 0; i < cloud.points.rows(); ++i)
-    if (cloud.points.row(i).allFinite()) seen.push_back(i);
+  const std::vector<int> seen = finiteRows(cloud.points);
   const Points moved = applyDeformation(surface, deformed, cloud.points(seen, Eigen::all));
   Points points = cloud.points;
   points(seen, Eigen::all) = moved;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/finite_rows.h>
 #include <posture/mesh/point_index.h>
 #include <posture/registration/register_clouds.h>
 
@@ -14,13 +15,6 @@
 
 namespace posture {
 namespace {
-
-std::vector<int> finiteRows(const Points& points) {
-  std::vector<int> rows;
-  for (int i = 0; i < points.rows(); ++i)
-    if (points.row(i).allFinite()) rows.push_back(i);
-  return rows;
-}
 
 /// What the stages take of one side, and the way back to it.
 struct Part {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/finite_rows.h>
 #include <posture/report/colors.h>
 
 #include <Eigen/Eigenvalues>
@@ -66,9 +67,7 @@ class ColorSums {
 }  // namespace
 
 PlaceColoring::PlaceColoring(const Points& given) {
-  std::vector<int> seen;
-  for (int i = 0; i < given.rows(); ++i)
-    if (given.row(i).allFinite()) seen.push_back(i);
+  const std::vector<int> seen = finiteRows(given);
   if (seen.empty()) return;
   const Points vertices = given(seen, Eigen::all);
   centre_ = vertices.colwise().mean();

@@ -3,6 +3,7 @@
 #include "distinct_points.h"
 
 #include <posture/core/error.h>
+#include <posture/core/finite_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,9 +74,7 @@ Points WorkingFrame::toCloud(const Points& points) const {
 
 DistinctPoints distinctPoints(const Points& points) {
   DistinctPoints distinct;
-  std::vector<int> rows;
-  for (int i = 0; i < points.rows(); ++i)
-    if (points.row(i).allFinite()) rows.push_back(i);
+  std::vector<int> rows = finiteRows(points);
   distinct.missing = static_cast<int>(points.rows() - static_cast<Eigen::Index>(rows.size()));
   if (rows.empty())
     throw InputError(points.rows() == 0 ? "has no points" : "has no point with finite coordinates");
