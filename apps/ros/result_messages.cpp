@@ -18,25 +18,19 @@ using sensor_msgs::PointCloud2;
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-/// Normals turned as the surface turns: the deformation applied to their tips, close to the points.
-/// Each keeps its length; those of points that were not seen, and unknown ones, stay.
+/// Normals turned as the surface turns; those of points that were not seen, and unknown ones, stay.
 Points turnedNormals(const PointCloud& cloud, const RegistrationResult& result) {
   Points normals = cloud.normals;
-  const double step = 0.01 * result.source.mean_edge_length;
   std::vector<int> rows;
   for (int i = 0; i < normals.rows(); ++i)
     if (cloud.points.row(i).allFinite() && normals.row(i).allFinite() && normals.row(i).norm() > 0)
       rows.push_back(i);
   if (rows.empty()) return normals;
-  const Points directions = normals(rows, Eigen::all).rowwise().normalized();
-  const Points tips = cloud.points(rows, Eigen::all) + step * directions;
-  const Points moved_tips =
-      applyDeformation(result.source_scan->mesh, result.surface_deformed, tips);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Eigen::RowVector3d turned =
-        moved_tips.row(static_cast<Eigen::Index>(k)) - result.deformed.row(rows[k]);
-    if (turned.norm() > 0) normals.row(rows[k]) = normals.row(rows[k]).norm() * turned.normalized();
-  }
+  const Points turned = turnDirections(result.source_scan->mesh,
+                                       result.surface_deformed,
+                                       cloud.points(rows, Eigen::all),
+                                       normals(rows, Eigen::all));
+  normals(rows, Eigen::all) = turned;
   return normals;
 }
 
