@@ -47,8 +47,8 @@ PointCloud2 scanMessage(int pose, const std::string& frame, double stamp) {
 }
 
 /// Publishers that keep what they said for those who come later, and all that the node says.
-struct Session {
-  Session()
+struct Topics {
+  Topics()
       : source(outputs.node.advertise<PointCloud2>("/posture/source", 1, true)),
         target(outputs.node.advertise<PointCloud2>("/posture/target", 1, true)) {}
 
@@ -60,9 +60,9 @@ struct Session {
   ros::Publisher source, target;
 };
 
-Session& session() {
-  static Session session;
-  return session;
+Topics& topics() {
+  static Topics topics;
+  return topics;
 }
 
 std_srvs::Trigger::Response callRegister() {
@@ -75,7 +75,7 @@ class RegisterTopics : public testing::Test {
  protected:
   const PointCloud2 source_ = scanMessage(0, "left", 10), target_ = scanMessage(6, "right", 20);
   const Points from_ = app::cloudOf(source_).points, to_ = app::cloudOf(target_).points;
-  const NodeOutputs& outputs_ = session().outputs;
+  const NodeOutputs& outputs_ = topics().outputs;
 };
 
 TEST_F(RegisterTopics, nothingToRegisterYet) {
@@ -85,10 +85,10 @@ TEST_F(RegisterTopics, nothingToRegisterYet) {
 }
 
 TEST_F(RegisterTopics, registersTheBundledScans) {
-  session().target.publish(target_);
-  session().source.publish(source_);
+  topics().target.publish(target_);
+  topics().source.publish(source_);
   ASSERT_TRUE(outputs_.waitForStatus(1));
-  const DiagnosticStatus status = session().status(1);
+  const DiagnosticStatus status = topics().status(1);
   ASSERT_EQ(int{status.level}, int{DiagnosticStatus::OK}) << status.message;
   ASSERT_TRUE(outputs_.waitForResult(1));
   EXPECT_EQ(status.name, "posture/registration: registration");
@@ -201,24 +201,24 @@ TEST_F(RegisterTopics, badCloudsAreToldAndSurvived) {
         std::pair(unseen, "source has no point with finite coordinates"),
         std::pair(truncated, "source has fewer data"),
         std::pair(no_positions, "source has no fields x, y and z")}) {
-    session().source.publish(message);
+    topics().source.publish(message);
     ASSERT_TRUE(outputs_.waitForStatus(++n)) << reason;
-    EXPECT_EQ(int{session().status(n).level}, int{DiagnosticStatus::ERROR});
-    EXPECT_THAT(session().status(n).message, testing::HasSubstr(reason));
+    EXPECT_EQ(int{topics().status(n).level}, int{DiagnosticStatus::ERROR});
+    EXPECT_THAT(topics().status(n).message, testing::HasSubstr(reason));
   }
   EXPECT_EQ(outputs_.registered.size(), 1U) << "something was published for a bad cloud";
 
   // The service registers once more what came last, which is bad still.
   EXPECT_TRUE(callRegister().success);
   ASSERT_TRUE(outputs_.waitForStatus(++n));
-  EXPECT_EQ(session().status(n).message, session().status(n - 1).message);
+  EXPECT_EQ(topics().status(n).message, topics().status(n - 1).message);
 }
 
 TEST_F(RegisterTopics, aGoodCloudIsRegisteredAfterBadOnesTheSameAsBefore) {
   const std::size_t n = outputs_.diagnostics.size();
-  session().source.publish(source_);
+  topics().source.publish(source_);
   ASSERT_TRUE(outputs_.waitForStatus(n + 1));
-  EXPECT_EQ(session().status(n + 1).message, session().status(1).message);
+  EXPECT_EQ(topics().status(n + 1).message, topics().status(1).message);
   ASSERT_TRUE(outputs_.waitForResult(2));
   EXPECT_EQ(outputs_.registered.at(1).data, outputs_.registered.at(0).data);
 }
@@ -233,7 +233,7 @@ const std::vector<std::string> OTHER = {"__ns:=other",
 TEST(OtherNode, endsInTheMiddleOfARegistration) {
   bool started = false;
   std::chrono::steady_clock::time_point interrupted;
-  const ros::Subscriber progress = session().outputs.node.subscribe<std_msgs::Float32>(
+  const ros::Subscriber progress = topics().outputs.node.subscribe<std_msgs::Float32>(
       "/other/progress",
       10,
       boost::function<void(const std_msgs::Float32ConstPtr&)>(
