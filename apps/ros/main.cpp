@@ -4,6 +4,7 @@
 
 #include "registration_node.h"
 #include <cstdio>
+#include <exception>
 #include <glog/logging.h>
 #include <new>
 
@@ -29,8 +30,8 @@ int run() {
 
 int main(int argc, char** argv) {
   FLAGS_minloglevel = google::GLOG_FATAL;  // what Ceres thinks of a line search is not for the user
-  ros::init(argc, argv, "posture");
   try {
+    ros::init(argc, argv, "posture");
     return run();
   } catch (const std::invalid_argument& error) {
     return fail(error.what(), EXIT_USAGE);
@@ -38,5 +39,7 @@ int main(int argc, char** argv) {
     return fail(error.what(), EXIT_INPUT);
   } catch (const std::bad_alloc&) {
     return fail("the input does not fit into memory", EXIT_INPUT);
+  } catch (const std::exception& error) {
+    return fail(error.what(), EXIT_INPUT);
   }
 }
