@@ -1,6 +1,6 @@
 # What find_package(posture) and pkg-config read, and what is neither program nor library. Each file
-# belongs to one of the install components commands, rendering and development; the Debian packages
-# are these three.
+# belongs to one of the install components commands, rendering, ros and development; the Debian
+# packages are these four.
 include(CMakePackageConfigHelpers)
 
 get_property(POSTURE_COMPONENTS GLOBAL PROPERTY POSTURE_COMPONENTS)
@@ -61,5 +61,16 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/posture.pc
 if(POSTURE_BUILD_APPS)
   install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT commands)
   install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT commands)
-  install(DIRECTORY data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/posture COMPONENT commands)
+  # What they name lies about them as it does in the sources.
+  foreach(folder bench examples launch)
+    file(GLOB documents ${folder}/*.md ${folder}/*.svg)
+    install(FILES ${documents} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT commands)
+  endforeach()
+  set(data_dir ${CMAKE_INSTALL_DATADIR}/posture)
+  install(DIRECTORY data/ DESTINATION ${data_dir} COMPONENT commands)
+  file(RELATIVE_PATH data_from_documents /${CMAKE_INSTALL_DOCDIR} /${data_dir})
+  install(CODE "file(CREATE_LINK ${data_from_documents}
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}/data\" SYMBOLIC)" COMPONENT commands)
 endif()
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development
+  PATTERN *.md EXCLUDE)

@@ -23,8 +23,8 @@ check_tree() {
   rm -rf "$WORK/first" "$tree"
   "$CMAKE" --install "$BUILD" --prefix "$WORK/first" >/dev/null
   mv "$WORK/first" "$tree"
-  diff <(cd "$SOURCE/modules" && find */include -name '*.h' | sed 's#^[^/]*/##' | sort) \
-    <(cd "$tree" && find include -name '*.h' | sort) ||
+  diff <(cd "$SOURCE/modules" && find */include -name '*.h*' | sed 's#^[^/]*/##' | sort) \
+    <(cd "$tree" && find include -name '*.h*' | sort) ||
     fail "the installed headers (>) are not those of the modules (<)"
   # Debug information names the sources.
   local files=(-r)
@@ -35,6 +35,17 @@ check_tree() {
   for file in share/doc/posture/LICENSE share/doc/posture/README.md share/posture/human/pairs.csv; do
     [[ -s $tree/$file ]] || fail "$file is missing"
   done
+  check_links "$tree/share/doc/posture"
+}
+
+# check_links FOLDER: documents in it name none that is not there; those that name the sources, which
+# are not installed, do so by their folders.
+check_links() {
+  local document link
+  while IFS=: read -r document link; do
+    [[ $link =~ ^(\.\./)?(modules|cmake|scripts)/ ]] && continue
+    [[ -e $(dirname "$document")/$link ]] || fail "$document names $link, which is not installed"
+  done < <(grep -rHoP --include='*.md' '\]\((?!https?:)\K[^)#]+' "$1")
 }
 
 check_commands() {
@@ -83,6 +94,15 @@ check_consumer() {
   "$WORK/consumer/register" "$tree/share/posture"
 }
 
+# The examples as they are installed; one has PCL's interface in it.
+check_examples() {
+  rm -rf "$WORK/examples"
+  "$CMAKE" -S "$tree/share/doc/posture/examples" -B "$WORK/examples" -DCMAKE_PREFIX_PATH="$tree" \
+    -DCMAKE_BUILD_TYPE=Release >/dev/null
+  "$CMAKE" --build "$WORK/examples"
+  "$CTEST" --test-dir "$WORK/examples" --output-on-failure -R 02_pcl_registration --no-tests=error
+}
+
 check_pkg_config() {
   local flags
   export PKG_CONFIG_PATH
@@ -104,6 +124,23 @@ has() {
   done
 }
 
+# depends NAME PACKAGE...: the package NAME depends on these.
+depends() {
+  local name=$1 package list
+  shift
+  list=$(dpkg-deb -f "$WORK/package/${name}"_*.deb Depends)
+  for package in "$@"; do
+    grep -qF " $package" <<<" $list" || fail "$name does not depend on $package, but on $list"
+  done
+}
+
+# depends_not NAME PATTERN: nor on anything like that.
+depends_not() {
+  if dpkg-deb -f "$WORK/package/${1}"_*.deb Depends | grep -iE "$2"; then
+    fail "$1 depends on that"
+  fi
+}
+
 check_package() {
   rm -rf "$WORK/package"
   "$CPACK" --config "$BUILD/CPackConfig.cmake" -B "$WORK/package" >"$WORK/package.log" 2>&1 ||
@@ -118,12 +155,37 @@ check_package() {
     has posture-ros lib/posture/posture_node share/posture/launch/register.launch \
       share/posture/package.xml share/posture/posture_command share/doc/posture-ros/copyright
   fi
-  local depends
-  depends=$(dpkg-deb -f "$WORK/package"/posture_*.deb Depends)
-  grep -q libpcl-common <<<"$depends" || fail "posture does not depend on what it links"
-  if grep -iE 'vtk|qt' <<<"$depends"; then
-    fail "posture depends on that"
+  depends posture libpcl-common libc6
+  depends posture-render libvtk xvfb
+  depends libposture-dev 'libpcl-dev (>= 1.13)' libceres-dev 'libeigen3-dev (>= 3.4)' liblzf-dev
+  depends_not posture 'vtk|qt'
+  depends_not libposture-dev 'vtk|qt'
+  if [[ $ROS == 1 ]]; then
+    depends posture-ros posture python3-roslaunch libroscpp libpcl-common
+    depends_not posture-ros 'vtk|qt'
   fi
+  run_unpacked
+  if command -v lintian >/dev/null; then
+    # The maintainers have no address that mail is sent to.
+    lintian --fail-on error --allow-root --suppress-tags bogus-mail-host,bogus-mail-host-in-debian-changelog \
+      "$WORK/package"/*.deb
+  fi
+}
+
+# What the packages have works without anything else of this build.
+run_unpacked() {
+  local root=$WORK/package/root package program
+  mkdir "$root"
+  for package in "$WORK/package"/*.deb; do
+    dpkg-deb -x "$package" "$root"
+  done
+  program=$root/usr/bin/posture
+  [[ $("$program" --version) == "$VERSION" ]] || fail "the packaged posture is not version $VERSION"
+  for surface in delaunay poisson; do
+    "$program" reconstruct "$root/usr/share/posture/scans/human-pose0-scan.pcd" --surface $surface \
+      -o "$WORK/package/$surface.ply" --quiet >/dev/null
+    [[ -s $WORK/package/$surface.ply ]] || fail "the packaged posture wrote no $surface surface"
+  done
 }
 
 mkdir -p "$WORK"
