@@ -20,6 +20,15 @@ VertexNeighbors::VertexNeighbors(const Faces& faces, int vertex_count)
   for (const Edge& e : edges) neighbors_[next[e.first]++] = e.second;
 }
 
+VertexFaces::VertexFaces(const Faces& faces, int vertex_count)
+    : first_(vertex_count + 1, 0), faces_(faces.size()) {
+  for (const int v : faces.reshaped()) ++first_[v + 1];
+  for (int v = 0; v < vertex_count; ++v) first_[v + 1] += first_[v];
+  std::vector<int> next(first_.begin(), first_.end() - 1);
+  for (int f = 0; f < faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) faces_[next[faces(f, k)]++] = f;
+}
+
 std::vector<char> boundaryVertices(const Faces& faces, int vertex_count) {
   std::vector<char> on_boundary(vertex_count, 0);
   for (const Edge& e : meshEdges(faces))

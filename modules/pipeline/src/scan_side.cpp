@@ -7,28 +7,17 @@
 #include <posture/deformation/apply_deformation.h>
 #include <posture/mesh/nearest_in_triangle.h>
 #include <posture/mesh/point_index.h>
+#include <posture/mesh/vertex_neighbors.h>
 
 #include "given_shape.h"
 #include "verdict.h"
+#include <algorithm>
 #include <limits>
 #include <tuple>
 #include <utility>
 
 namespace posture {
 namespace {
-
-/// Faces at each vertex.
-class FacesAround {
- public:
-  FacesAround(const Faces& faces, int vertex_count) : at_(vertex_count) {
-    for (int f = 0; f < faces.rows(); ++f)
-      for (int k = 0; k < 3; ++k) at_[faces(f, k)].push_back(f);
-  }
-  const std::vector<int>& operator[](int vertex) const { return at_[vertex]; }
-
- private:
-  std::vector<std::vector<int>> at_;
-};
 
 /// Where points of a source surface's faces lie on the target, from where its vertices do.
 class Between {
@@ -77,19 +66,21 @@ class Between {
       at.maxCoeff(&largest);
       best = {target_.faces(f, largest), f, at};
     };
+    const auto tryAround = [&](int vertex) {
+      std::for_each(around_.begin(vertex), around_.end(vertex), tryFace);
+    };
     for (int k = 0; k < 3; ++k) {
       const SurfacePoint& image = vertices_.on_target[corners[k]];
-      for (int f : around_[image.vertex]) tryFace(f);
+      tryAround(image.vertex);
       if (image.face >= 0)
-        for (int j = 0; j < 3; ++j)
-          for (int f : around_[target_.faces(image.face, j)]) tryFace(f);
+        for (int j = 0; j < 3; ++j) tryAround(target_.faces(image.face, j));
     }
     return best.vertex >= 0 ? best : vertices_.on_target[corners[0]];
   }
 
   const TriangleMesh &source_, &target_;
   const Correspondence& vertices_;
-  FacesAround around_;
+  VertexFaces around_;
 };
 
 /// The nearest points of a cloud, outliers and missing ones left out.

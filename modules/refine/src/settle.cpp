@@ -88,6 +88,44 @@ FeaturePair featuresOf(const BendableSurface& a,
           features(pair.bent_b, bent_normals_b, b.mesh.vertices, b.normals, normal_weight)};
 }
 
+/// Where each vertex of one surface fits best in the faces around its match on the other.
+std::vector<FacePoint> bestPlaces(const Features& of_from,
+                                  const BendableSurface& to,
+                                  const Features& of_to,
+                                  const std::vector<int>& matches) {
+  std::vector<FacePoint> places(matches.size());
+#pragma omp parallel for schedule(dynamic, 256)
+  for (int v = 0; v < static_cast<int>(matches.size()); ++v) {
+    using Column = Eigen::Matrix<double, 12, 1>;
+    const Column p = of_from.col(v).cast<double>();
+    double least = std::numeric_limits<double>::infinity();
+    const VertexFaces& around = to.faces_around;
+    for (const int* f = around.begin(matches[v]); f != around.end(matches[v]); ++f) {
+      const auto corner = [&](int k) -> Column {
+        return of_to.col(to.mesh.faces(*f, k)).cast<double>();
+      };
+      const Column x = corner(0), y = corner(1), z = corner(2);
+      const Eigen::Vector3d at = nearestInTriangle<Column>(p, x, y, z);
+      const double distance = (at[0] * x + at[1] * y + at[2] * z - p).squaredNorm();
+      if (distance < least) {
+        least = distance;
+        places[v] = {*f, at};
+      }
+    }
+  }
+  return places;
+}
+
+Points pointsAt(const std::vector<FacePoint>& places, const TriangleMesh& mesh) {
+  Points points = Points::Zero(static_cast<Eigen::Index>(places.size()), 3);
+  for (Eigen::Index v = 0; v < points.rows(); ++v) {
+    const FacePoint& place = places[v];
+    for (int k = 0; k < 3; ++k)
+      points.row(v) += place.barycentric[k] * mesh.vertices.row(mesh.faces(place.face, k));
+  }
+  return points;
+}
+
 /// How often it is looked anew where a surface is strained.
 constexpr int RENEWAL = 3;
 
@@ -97,13 +135,17 @@ class Bender {
   Bender(const BendableSurface& from, const BendableSurface& to, double softness)
       : from_(from), to_(to), softness_(softness) {}
 
-  void pull(const std::vector<int>& matches, Points& bent) {
+  /// Goals are places in faces: those of vertices are off by up to half an edge.
+  void pull(const Features& of_from,
+            const Features& of_to,
+            const std::vector<int>& matches,
+            Points& bent) {
     Vector believed = belief(from_, to_, matches);
     if (pulls_++ % RENEWAL == 0 || believed != believed_) {
       attraction_ = from_.arap.attract(softness_, believed, bent);
       believed_ = std::move(believed);
     }
-    const Points goals = rowsAt(to_.mesh.vertices, matches);
+    const Points goals = pointsAt(bestPlaces(of_from, to_, of_to, matches), to_.mesh);
     bent = from_.arap.pull(bent, goals, *attraction_, BENDING_STEPS).vertices;
   }
 
@@ -148,14 +190,15 @@ void settle(const BendableSurface& a,
             int rounds,
             BentPair& pair) {
   Bender bend_a(a, b, softness), bend_b(b, a, softness);
+  FeaturePair of = featuresOf(a, b, softness, pair);
   for (int round = 0; round < rounds; ++round) {
     parallelFor(2, [&](int side) {
       if (side == 0)
-        bend_a.pull(pair.maps.forward, pair.bent_a);
+        bend_a.pull(of.a, of.b, pair.maps.forward, pair.bent_a);
       else
-        bend_b.pull(pair.maps.backward, pair.bent_b);
+        bend_b.pull(of.b, of.a, pair.maps.backward, pair.bent_b);
     });
-    const FeaturePair of = featuresOf(a, b, softness, pair);
+    of = featuresOf(a, b, softness, pair);
     pair.maps = {slide(a, of.a, b, of.b, pair.maps.forward),
                  slide(b, of.b, a, of.a, pair.maps.backward)};
   }
@@ -185,28 +228,7 @@ std::vector<FacePoint> placesOnFaces(const BendableSurface& a,
                                      double softness,
                                      const BentPair& pair) {
   const FeaturePair of = featuresOf(a, b, softness, pair);
-  std::vector<std::vector<int>> faces_at(b.mesh.vertices.rows());
-  for (int f = 0; f < b.mesh.faces.rows(); ++f)
-    for (int k = 0; k < 3; ++k) faces_at[b.mesh.faces(f, k)].push_back(f);
-  std::vector<FacePoint> places(a.mesh.vertices.rows());
-  for (std::size_t v = 0; v < places.size(); ++v) {
-    using Column = Eigen::Matrix<double, 12, 1>;
-    const Column p = of.a.col(static_cast<int>(v)).cast<double>();
-    double least = std::numeric_limits<double>::infinity();
-    for (int f : faces_at[pair.maps.forward[v]]) {
-      const auto corner = [&](int k) -> Column {
-        return of.b.col(b.mesh.faces(f, k)).cast<double>();
-      };
-      const Column x = corner(0), y = corner(1), z = corner(2);
-      const Eigen::Vector3d at = nearestInTriangle<Column>(p, x, y, z);
-      const double distance = (at[0] * x + at[1] * y + at[2] * z - p).squaredNorm();
-      if (distance < least) {
-        least = distance;
-        places[v] = {f, at};
-      }
-    }
-  }
-  return places;
+  return bestPlaces(of.a, b, of.b, pair.maps.forward);
 }
 
 }  // namespace posture

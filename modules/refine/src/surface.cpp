@@ -15,6 +15,7 @@ BendableSurface::BendableSurface(TriangleMesh surface)
     : mesh(std::move(surface)),
       normals(vertexNormals(mesh)),
       neighbors(mesh.faces, static_cast<int>(mesh.vertices.rows())),
+      faces_around(mesh.faces, static_cast<int>(mesh.vertices.rows())),
       on_boundary(boundaryVertices(mesh.faces, static_cast<int>(mesh.vertices.rows()))),
       laplacian(cotangentLaplacian(mesh)),
       arap(mesh, laplacian) {}

@@ -21,6 +21,19 @@ class VertexNeighbors {
   std::vector<int> neighbors_;
 };
 
+/// The faces at each vertex, in increasing order.
+class VertexFaces {
+ public:
+  VertexFaces(const Faces& faces, int vertex_count);
+
+  const int* begin(int v) const { return faces_.data() + first_[v]; }
+  const int* end(int v) const { return faces_.data() + first_[v + 1]; }
+
+ private:
+  std::vector<int> first_;  // n + 1
+  std::vector<int> faces_;
+};
+
 /// n, non-zero for the ends of edges with a single face.
 std::vector<char> boundaryVertices(const Faces& faces, int vertex_count);
 

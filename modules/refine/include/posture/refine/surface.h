@@ -20,6 +20,7 @@ struct BendableSurface {
   TriangleMesh mesh;
   Points normals;  ///< n x 3, unit
   VertexNeighbors neighbors;
+  VertexFaces faces_around;
   std::vector<char> on_boundary;  ///< n
   Laplacian laplacian;
   Arap arap;
