@@ -5,6 +5,8 @@
 #include <posture/mesh/edges.h>
 #include <posture/segmentation/rigid_segments.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include "moments.h"
 #include "otsu.h"
 #include <algorithm>
@@ -24,6 +26,7 @@ constexpr int PATCHES = 200;             // some ten a limb: a joint is several 
 constexpr int COMPARABLE = 150;          // clusters large enough for their turns to mean something
 constexpr double LEAST_SHARE = 0.005;    // of the area
 constexpr double ROUNDING_TURN = 0.005;  // a quarter of a degree: nothing bends at all
+constexpr double ROUNDING_COST = 1e-14;  // a unit of area, what sums of squares of order 1 leave
 
 /// Lengths in square roots of the area, around the centroid.
 Points normalized(const Points& places, double unit) {
@@ -40,6 +43,21 @@ double scaleOf(const TriangleMesh& rest, const Points& pose) {
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
   return *middle > 0 ? *middle : 1;
+}
+
+/// Sets of things that are joined, directly or by others; `join` is given a function of two.
+template <class Join>
+int countJoined(int things, const Join& join) {
+  std::vector<int> rank(things), parent(things);
+  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
+  for (int i = 0; i < things; ++i) sets.make_set(i);
+  int count = things;
+  join([&](int a, int b) {
+    if (sets.find_set(a) == sets.find_set(b)) return;
+    sets.union_set(a, b);
+    --count;
+  });
+  return count;
 }
 
 /// A set of faces and how it moves.
@@ -92,8 +110,13 @@ class Clustering {
   Clustering(const TriangleMesh& rest, const std::vector<Points>& poses, const Vector& areas)
       : clusters_(rest.faces.rows()), into_(rest.faces.rows()) {
     std::iota(into_.begin(), into_.end(), 0);
-    live_ = static_cast<int>(clusters_.size());
     const Faces across = facesAcross(rest.faces);
+    const int islands = countJoined(static_cast<int>(clusters_.size()), [&](const auto& join) {
+      for (int f = 0; f < across.rows(); ++f)
+        for (int g : across.row(f))
+          if (g >= 0) join(f, g);
+    });
+    merges_left_ = static_cast<int>(clusters_.size()) - islands;
     for (int f = 0; f < rest.faces.rows(); ++f) {
       Cluster& cluster = clusters_[f];
       cluster.moments.resize(poses.size());
@@ -127,19 +150,19 @@ class Clustering {
     return turns;
   }
 
+  /// On a mesh in islands, that many on one of them and single clusters on the others.
   void mergeDownTo(int count) {
     std::priority_queue<Candidate> queue;
     const auto push = [&](int a, int b) {
-      queue.push({mergingCost(clusters_[a], clusters_[b]),
-                  a,
-                  b,
-                  clusters_[a].version,
-                  clusters_[b].version});
+      const Cluster &one = clusters_[a], &other = clusters_[b];
+      const double cost = mergingCost(one, other);
+      const double rounding = ROUNDING_COST * (one.area() + other.area());
+      queue.push({std::max(cost, rounding), cost, a, b, one.version, other.version});
     };
     for (int f = 0; f < static_cast<int>(clusters_.size()); ++f)
       for (int g : clusters_[f].adjacent)
         if (f < g) push(f, g);
-    while (live_ > count && !queue.empty()) {
+    while (merges_left_ >= count && !queue.empty()) {
       const Candidate best = queue.top();
       queue.pop();
       if (clusters_[best.a].version != best.version_a ||
@@ -163,7 +186,7 @@ class Clustering {
           if ((small || turnOf(clusters_[a], clusters_[b], cost) < turn ||
                isNoise(clusters_[a], clusters_[b], cost)) &&
               (best.a < 0 || cost < best.cost))
-            best = {cost, a, b, 0, 0};
+            best = {cost, cost, a, b, 0, 0};
         }
       }
       if (best.a < 0) return;
@@ -187,11 +210,12 @@ class Clustering {
 
  private:
   struct Candidate {
+    double rank = 0;  // the cost, but no less than rounding makes: the smaller clusters come first
     double cost = 0;
     int a = -1, b = -1, version_a = 0, version_b = 0;
 
-    bool operator<(const Candidate& other) const {  // the least cost comes first
-      return std::tie(cost, a, b) > std::tie(other.cost, other.a, other.b);
+    bool operator<(const Candidate& other) const {  // the least comes first
+      return std::tie(rank, a, b) > std::tie(other.rank, other.a, other.b);
     }
   };
 
@@ -215,18 +239,26 @@ class Clustering {
     ++kept.version;
     gone.version = -1;
     into_[b] = a;
-    --live_;
+    --merges_left_;
   }
 
   std::vector<Cluster> clusters_;
   std::vector<int> into_;
-  int live_ = 0;
+  int merges_left_ = 0;  // until no two clusters have an edge in common
   double total_area_ = 0;
 };
 
-/// Each face goes with the sample nearest to one of its corners.
+/// Each face goes with the sample nearest to one of its corners. Each piece of the mesh takes one.
 std::vector<int> patchesOf(const TriangleMesh& mesh, int& count) {
-  const Landmarks samples = voronoiSamples(mesh, FastMarching(mesh), PATCHES, 0);
+  const int n = static_cast<int>(mesh.vertices.rows());
+  const std::vector<int> face = vertexFaces(mesh.faces, n);
+  const auto loose = static_cast<int>(std::count(face.begin(), face.end(), -1));
+  const int pieces = countJoined(n, [&](const auto& join) {
+    for (const auto& f : mesh.faces.rowwise())
+      for (int v : f) join(f[0], v);
+  });
+  const Landmarks samples =
+      voronoiSamples(mesh, FastMarching(mesh), PATCHES + pieces - loose - 1, 0);
   count = static_cast<int>(samples.vertices.size()) + 1;  // the last: what no sample reaches
   std::vector<int> patch(mesh.faces.rows());
   for (int f = 0; f < mesh.faces.rows(); ++f) {
