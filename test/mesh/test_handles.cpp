@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
-#include <limits>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -116,34 +115,6 @@ TEST(Handles, LoopsOfATorusGoAcrossAndAround) {
 }
 
 TEST(Handles, AreNoneOnASphere) { EXPECT_TRUE(Handles(test::sphere(2)).loopsThrough(3).empty()); }
-
-TEST(PathLengths, AreThoseOfAGridsSides) {
-  const TriangleMesh mesh = test::grid(10, 4, 10, 4);
-  const Vector length = pathLengths(mesh, {0});
-  for (int c = 0; c <= 10; ++c) EXPECT_NEAR(length[c], c, 1e-12);
-  // From two ends at once the nearer one counts.
-  EXPECT_NEAR(pathLengths(mesh, {0, 10})[7], 3, 1e-12);
-}
-
-TEST(PathLengths, AreInfiniteWhereNoWayLeads) {
-  const TriangleMesh two = both(test::sphere(1), test::sphere(1));
-  const Vector length = pathLengths(two, {0});
-  EXPECT_EQ(length[two.vertices.rows() - 1], std::numeric_limits<double>::infinity());
-  EXPECT_TRUE(shortestPath(two, 0, static_cast<int>(two.vertices.rows()) - 1).empty());
-}
-
-TEST(ShortestPath, IsAsLongAsItsLengthSays) {
-  const TriangleMesh mesh = test::sphere(3);
-  const Vector length = pathLengths(mesh, {4});
-  const std::vector<int> path = shortestPath(mesh, 4, 300);
-  ASSERT_EQ(path.front(), 4);
-  ASSERT_EQ(path.back(), 300);
-  double sum = 0;
-  for (std::size_t i = 1; i < path.size(); ++i)
-    sum += (mesh.vertices.row(path[i]) - mesh.vertices.row(path[i - 1])).norm();
-  EXPECT_NEAR(sum, length[300], 1e-12);
-  EXPECT_EQ(shortestPath(mesh, 7, 7), std::vector<int>{7});
-}
 
 }  // namespace
 }  // namespace posture

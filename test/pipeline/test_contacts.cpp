@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/edge_paths.h>
 #include <posture/mesh/handles.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/synthesis/articulated_body.h>
@@ -8,7 +9,11 @@
 
 #include "contacts.h"
 #include "support/shapes.h"
+#include <chrono>
 #include <cmath>
+#include <set>
+#include <stdexcept>
+#include <string>
 
 namespace posture {
 namespace {
@@ -33,8 +38,9 @@ struct Fused {
 Fused grownTogether(const ArticulatedBody& body, Contact contact = Contact::TUBE) {
   Fused result;
   double best = 0;
+  const EdgePaths paths(body.mesh);
   for (int a = 0; a < body.mesh.vertices.rows(); a += 7) {
-    const Vector along = pathLengths(body.mesh, {a});
+    const Vector along = paths.lengths({a});
     for (int b = 0; b < body.mesh.vertices.rows(); ++b) {
       const double straight = (body.mesh.vertices.row(a) - body.mesh.vertices.row(b)).norm();
       const double gain = along[b] / (straight + 0.02);
@@ -107,9 +113,9 @@ TEST_P(PartedContact, GivesTheDistancesBackThatItShortened) {
       }
       return best;
     };
-    return pathLengths(mesh.mesh, {beside(fused.a)})[beside(fused.b)];
+    return EdgePaths(mesh.mesh).lengths({beside(fused.a)})[beside(fused.b)];
   };
-  const double true_length = pathLengths(body.mesh, {fused.a})[fused.b];
+  const double true_length = EdgePaths(body.mesh).lengths({fused.a})[fused.b];
   EXPECT_LT(lengthBeside(clean), 0.6 * true_length);
   EXPECT_GT(lengthBeside(parted.clean), 0.8 * true_length);
 }
@@ -133,11 +139,130 @@ TEST(PartedSurface, LeavesSmallHandlesAlone) {
   EXPECT_EQ(partedSurface(mesh, cleanMesh(mesh)).contacts, 0);
 }
 
+/// A plate of cells x cells, with holes right through it: a handle each.
+TriangleMesh plateWithHoles(int cells, int holes) {
+  TriangleMesh mesh;
+  const int side = cells + 1;
+  mesh.vertices.resize(2 * side * side, 3);
+  for (int v = 0; v < mesh.vertices.rows(); ++v) {
+    const int layer = v / (side * side);
+    mesh.vertices.row(v) << v % side, v / side % side, layer;
+  }
+  std::vector<char> open(cells * cells, 0);
+  for (int i = 1, made = 0; i < cells - 1; i += 3)
+    for (int j = 1; j < cells - 1 && made < holes; j += 3, ++made) open[i * cells + j] = 1;
+  std::vector<Eigen::RowVector3i> faces;
+  const auto quad = [&](int a, int b, int c, int d) {
+    faces.emplace_back(a, b, c);
+    faces.emplace_back(a, c, d);
+  };
+  const auto isSolid = [&](int i, int j) {
+    return i >= 0 && j >= 0 && i < cells && j < cells && !open[i * cells + j];
+  };
+  const int up = side * side;
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j) {
+      if (!isSolid(i, j)) continue;
+      const int a = i * side + j, b = a + 1, c = b + side, d = a + side;
+      quad(a + up, b + up, c + up, d + up);
+      quad(d, c, b, a);
+      if (!isSolid(i - 1, j)) quad(a, b, b + up, a + up);
+      if (!isSolid(i, j + 1)) quad(b, c, c + up, b + up);
+      if (!isSolid(i + 1, j)) quad(c, d, d + up, c + up);
+      if (!isSolid(i, j - 1)) quad(d, a, a + up, d + up);
+    }
+  mesh.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    mesh.faces.row(static_cast<Eigen::Index>(f)) = faces[f];
+  return mesh;
+}
+
+TEST(PartedSurface, TakesLittleLongerForManySmallHandles) {
+  const auto secondsFor = [](int holes) {
+    const TriangleMesh mesh = plateWithHoles(45, holes);
+    const CleanMesh clean = cleanMesh(mesh);
+    EXPECT_EQ(Handles(clean.mesh).count(), holes);
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(partedSurface(mesh, clean).contacts, 0);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const double few = secondsFor(8);
+  EXPECT_LT(secondsFor(200), 5 * few);
+}
+
+/// A ribbon wound three times around, each winding joined to the next at every other vertex: no
+/// face is without such a place, and to open them leaves next to nothing.
+TriangleMesh windings() {
+  constexpr int STEPS = 60, COUNT = 3 * STEPS;
+  constexpr double HEIGHT = 0.3;
+  TriangleMesh mesh;
+  mesh.vertices.resize(2 * COUNT + 2, 3);
+  for (int i = 0; i <= COUNT; ++i) {
+    const double angle = 2 * M_PI * i / STEPS, z = HEIGHT * i / STEPS;
+    mesh.vertices.row(2 * i) << std::cos(angle), std::sin(angle), z;
+    // The others stay a little below the next winding.
+    mesh.vertices.row(2 * i + 1) << std::cos(angle), std::sin(angle),
+        z + (i % 2 == 0 ? 1 : 0.8) * HEIGHT;
+  }
+  const auto top = [&](int i) {
+    return i % 2 == 0 && i + STEPS <= COUNT ? 2 * (i + STEPS) : 2 * i + 1;
+  };
+  mesh.faces.resize(2 * COUNT, 3);
+  for (int i = 0; i < COUNT; ++i) {
+    mesh.faces.row(2 * i) << 2 * i, 2 * i + 2, top(i + 1);
+    mesh.faces.row(2 * i + 1) << 2 * i, top(i + 1), top(i);
+  }
+  return mesh;
+}
+
+TEST(RegisterShapes, KeepsItsResultWhereNothingIsLeftOfTheParted) {
+  const TriangleMesh mesh = windings();
+  bool is_parted = false;
+  const RegistrationResult result = registerShapes(mesh, mesh, {}, [&](const StageEvent& event) {
+    is_parted = is_parted || event.stage == "parted reduction";
+  });
+  EXPECT_TRUE(is_parted);
+  EXPECT_EQ(result.source.parted_contacts, 0);
+  EXPECT_EQ(result.deformed.rows(), mesh.vertices.rows());
+}
+
+TEST(RegisterShapes, EndsInEitherAttemptWhereItsObserverSaysSo) {
+  struct Enough : std::runtime_error {
+    using std::runtime_error::runtime_error;
+  };
+  const TriangleMesh mesh = windings();
+  for (const char* stage : {"reduction", "parted reduction"})
+    EXPECT_THROW(registerShapes(mesh,
+                                mesh,
+                                {},
+                                [&](const StageEvent& event) {
+                                  if (event.stage == stage) throw Enough(stage);
+                                }),
+                 Enough);
+}
+
 TEST(RegisterShapes, FindsItsWayThoughTheTargetIsGrownTogether) {
   const ArticulatedBody source = person(0), target = person(3, 1);
-  const RegistrationResult result = registerShapes(source.mesh, grownTogether(target).mesh);
+  std::set<std::string> stages, pictures;
+  double progress = 0;
+  const RegistrationResult result =
+      registerShapes(source.mesh, grownTogether(target).mesh, {}, [&](const StageEvent& event) {
+        EXPECT_GE(event.progress, progress);
+        progress = event.progress;
+        if (!event.pictures) {
+          EXPECT_TRUE(stages.emplace(event.stage).second) << event.stage << " twice";
+          return;
+        }
+        for (const StagePicture& picture : event.pictures())
+          EXPECT_TRUE(pictures.insert(picture.name).second) << picture.name << " twice";
+      });
   EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
+  EXPECT_EQ(result.target.parted_contacts, 1);
   EXPECT_LT(meanError(result, source, target), 0.03);
+  EXPECT_LE(progress, 1);
+  EXPECT_EQ(stages.count("parted refinement"), 1);
+  EXPECT_EQ(pictures.count("parted-source-samples"), pictures.count("source-samples"));
+  EXPECT_EQ(stages.size(), result.timings.size());
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/mesh/half_edge_mesh.h>
 #include <posture/mesh/handles.h>
-#include <posture/mesh/vertex_neighbors.h>
 
 #include <algorithm>
 #include <functional>
@@ -56,37 +55,6 @@ std::vector<int> holesOf(const HalfEdgeMesh& mesh, int& holes) {
     ++holes;
   }
   return hole;
-}
-
-struct Ways {
-  Vector distance;
-  std::vector<int> before;
-};
-
-/// Dijkstra's, until `to` is reached; -1: everywhere.
-Ways waysFrom(const TriangleMesh& mesh, const std::vector<int>& from, int to) {
-  const int n = static_cast<int>(mesh.vertices.rows());
-  const VertexNeighbors neighbors(mesh.faces, n);
-  Ways ways{Vector::Constant(n, FAR), std::vector<int>(n, -1)};
-  Front front;
-  for (int v : from) {
-    ways.distance[v] = 0;
-    front.emplace(0, v);
-  }
-  while (!front.empty()) {
-    const auto [reached, v] = front.top();
-    front.pop();
-    if (v == to) break;
-    if (reached > ways.distance[v]) continue;
-    for (const int* w = neighbors.begin(v); w != neighbors.end(v); ++w) {
-      const double reach = reached + (mesh.vertices.row(v) - mesh.vertices.row(*w)).norm();
-      if (reach >= ways.distance[*w]) continue;
-      ways.distance[*w] = reach;
-      ways.before[*w] = v;
-      front.emplace(reach, *w);
-    }
-  }
-  return ways;
 }
 
 }  // namespace
@@ -181,19 +149,6 @@ std::vector<std::vector<int>> Handles::loopsThrough(int base) const {
   }
   std::reverse(loops.begin(), loops.end());
   return loops;
-}
-
-Vector pathLengths(const TriangleMesh& mesh, const std::vector<int>& from) {
-  return waysFrom(mesh, from, -1).distance;
-}
-
-std::vector<int> shortestPath(const TriangleMesh& mesh, int from, int to) {
-  const Ways ways = waysFrom(mesh, {from}, to);
-  if (ways.distance[to] == FAR) return {};
-  std::vector<int> path{to};
-  while (path.back() != from) path.push_back(ways.before[path.back()]);
-  std::reverse(path.begin(), path.end());
-  return path;
 }
 
 }  // namespace posture

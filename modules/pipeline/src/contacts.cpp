@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contacts.h"
 
+#include <posture/core/error.h>
 #include <posture/core/parallel.h>
 #include <posture/deformation/reduce_mesh.h>
+#include <posture/mesh/edge_paths.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/half_edge_mesh.h>
 #include <posture/mesh/handles.h>
@@ -11,20 +13,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <queue>
 #include <utility>
 
 namespace posture {
 namespace {
 
-/// Rings are looked for on so many vertices, from so many of them: wherever one starts, the shortest
-/// loops go around every handle.
+/// Rings are looked for on so many vertices, from so many of them: wherever one starts, the
+/// shortest loops go around every handle.
 constexpr int VERTICES = 5000, STARTS = 20;
 
 /// A handle matters when the way around it is long, in square roots of the area: several spacings
 /// of the samples whose distances are compared.
 constexpr double LEAST_DETOUR = 0.25;
+
+/// So many loops from each place are followed to where they are narrowest, and so many handles are
+/// opened: a body has a hand or two on its hips, what has far more is no body grown together.
+constexpr int MOST_LOOPS = 20, MOST_RINGS = 10;
 
 struct Ring {
   std::vector<int> vertices;
@@ -38,54 +47,98 @@ double lengthOf(const TriangleMesh& mesh, const std::vector<int>& loop) {
   return sum;
 }
 
-/// How far it is from one side of the ring to the other without crossing it; 0 where there is no
-/// telling the sides apart.
-double detourAround(const TriangleMesh& mesh, const Ring& ring) {
-  const int n = static_cast<int>(mesh.vertices.rows());
-  std::vector<char> on_ring(n, 0), beside(n, 0);
-  for (int v : ring.vertices) on_ring[v] = 1;
-  TriangleMesh rest{mesh.vertices, Faces(mesh.faces.rows(), 3)};
-  Eigen::Index kept = 0;
-  for (int f = 0; f < mesh.faces.rows(); ++f) {
-    const Eigen::RowVector3i face = mesh.faces.row(f);
-    if (std::none_of(face.data(), face.data() + 3, [&](int v) { return on_ring[v] != 0; }))
-      rest.faces.row(kept++) = face;
-    else
-      for (int v : face)
-        if (!on_ring[v]) beside[v] = 1;
-  }
-  rest.faces.conservativeResize(kept, 3);
-  // One side: what is joined along the ring.
-  const VertexNeighbors neighbors(rest.faces, n);
-  std::vector<int> side;
-  for (int v = 0; v < n && side.empty(); ++v)
-    if (beside[v]) side.push_back(v);
-  for (std::size_t i = 0; i < side.size(); ++i) {
-    beside[side[i]] = 0;
-    for (const int* w = neighbors.begin(side[i]); w != neighbors.end(side[i]); ++w)
-      if (beside[*w]) {
-        beside[*w] = 0;
-        side.push_back(*w);
+/// How far it is from one side of a ring to the other on a mesh without the faces at the ring.
+class Detours {
+ public:
+  explicit Detours(const TriangleMesh& mesh) : mesh_(mesh), first_(mesh.vertices.rows() + 1, 0) {
+    for (int v : mesh.faces.reshaped()) first_[v + 1] += 2;
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    steps_.resize(first_.back());
+    std::vector<int> next(first_.begin(), first_.end() - 1);
+    for (const auto& face : mesh.faces.rowwise())
+      for (int k = 0; k < 3; ++k) {
+        const int v = face[k], one = face[(k + 1) % 3], other = face[(k + 2) % 3];
+        steps_[next[v]++] = {one, other};
+        steps_[next[v]++] = {other, one};
       }
   }
-  const Vector distance = pathLengths(rest, side);
-  double detour = std::numeric_limits<double>::infinity();
-  for (int v = 0; v < n; ++v)
-    if (beside[v]) detour = std::min(detour, distance[v]);
-  return std::isfinite(detour) ? detour : 0;
-}
+
+  /// Whether the way around is longer than `least`; not where there is none, or no telling the
+  /// sides apart.
+  bool isLong(const Ring& ring, double least) const {
+    std::vector<char> on_ring(first_.size() - 1, 0), beside(first_.size() - 1, 0);
+    for (int v : ring.vertices) on_ring[v] = 1;
+    int begin = std::numeric_limits<int>::max();
+    for (int v : ring.vertices)
+      for (int i = first_[v]; i < first_[v + 1]; ++i)
+        if (const int w = steps_[i].to; !on_ring[w]) {
+          beside[w] = 1;
+          begin = std::min(begin, w);
+        }
+    if (begin == std::numeric_limits<int>::max()) return false;
+    const auto forEachNext = [&](int v, const auto& body) {
+      for (int i = first_[v]; i < first_[v + 1]; ++i)
+        if (!on_ring[steps_[i].to] && !on_ring[steps_[i].third]) body(steps_[i].to);
+    };
+    // One side: what is joined along the ring.
+    std::vector<int> side{begin};
+    beside[begin] = 0;
+    for (std::size_t i = 0; i < side.size(); ++i)
+      forEachNext(side[i], [&](int w) {
+        if (!beside[w]) return;
+        beside[w] = 0;
+        side.push_back(w);
+      });
+    // The nearest place of the other one.
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    std::vector<double> distance(beside.size(), std::numeric_limits<double>::infinity());
+    for (int v : side) {
+      distance[v] = 0;
+      front.emplace(0, v);
+    }
+    while (!front.empty()) {
+      const auto [reached, v] = front.top();
+      front.pop();
+      if (reached > distance[v]) continue;
+      if (beside[v]) return reached > least;
+      forEachNext(v, [&, here = reached, v = v](int w) {
+        const double reach = here + (mesh_.vertices.row(v) - mesh_.vertices.row(w)).norm();
+        if (reach >= distance[w]) return;
+        distance[w] = reach;
+        front.emplace(reach, w);
+      });
+    }
+    return false;
+  }
+
+ private:
+  /// Along an edge of a face whose third corner is another.
+  struct Step {
+    int to, third;
+  };
+
+  const TriangleMesh& mesh_;
+  std::vector<int> first_;
+  std::vector<Step> steps_;
+};
 
 /// The narrowest ring that opens a handle with a long way around; none: there is no such handle.
 std::optional<Ring> contactRing(const TriangleMesh& mesh) {
   const Handles handles(mesh);
   if (handles.count() == 0) return {};
+  const Detours detours(mesh);
   const double least_detour = LEAST_DETOUR * std::sqrt(faceAreas(mesh).sum());
   const int starts = std::min<int>(STARTS, static_cast<int>(mesh.vertices.rows()));
   std::vector<std::optional<Ring>> rings(starts);
   parallelFor(starts, [&](int start) {
+    int followed = 0;
     for (std::vector<int>& loop : handles.loopsThrough(start)) {
       Ring ring{std::move(loop), 0};
       ring.length = lengthOf(mesh, ring.vertices);
+      // A handle that is small in both ways, as noise makes by the hundred.
+      if (ring.length < least_detour && !detours.isLong(ring, least_detour)) continue;
+      if (++followed > MOST_LOOPS) break;
       // A narrower one is often found from the far side.
       for (;;) {
         std::vector<int> other =
@@ -95,7 +148,7 @@ std::optional<Ring> contactRing(const TriangleMesh& mesh) {
         ring = {std::move(other), length};
       }
       if ((!rings[start] || ring.length < rings[start]->length) &&
-          detourAround(mesh, ring) > least_detour)
+          detours.isLong(ring, least_detour))
         rings[start] = std::move(ring);
     }
   });
@@ -105,14 +158,37 @@ std::optional<Ring> contactRing(const TriangleMesh& mesh) {
   return narrowest;
 }
 
+/// For each vertex the lowest one it is joined to by edges.
+std::vector<int> partsOf(const VertexNeighbors& neighbors, int n) {
+  std::vector<int> part(n, -1), open;
+  for (int start = 0; start < n; ++start) {
+    if (part[start] >= 0) continue;
+    part[start] = start;
+    open.assign(1, start);
+    while (!open.empty()) {
+      const int v = open.back();
+      open.pop_back();
+      for (const int* w = neighbors.begin(v); w != neighbors.end(v); ++w) {
+        if (part[*w] >= 0) continue;
+        part[*w] = start;
+        open.push_back(*w);
+      }
+    }
+  }
+  return part;
+}
+
 /// Vertices where the surface touches itself and the way around is long: edges of more than two
 /// faces, and vertices of several fans, as where points of two parts were welded.
 std::vector<int> weldedContacts(const TriangleMesh& mesh, int& contacts) {
   const ManifoldMesh cut = cutNonManifold(mesh);
   const int n = static_cast<int>(mesh.vertices.rows());
+  const int cut_n = static_cast<int>(cut.mesh.vertices.rows());
   std::vector<std::vector<int>> copies(n);
-  for (int c = n; c < cut.mesh.vertices.rows(); ++c) copies[cut.original_vertex[c]].push_back(c);
+  for (int c = n; c < cut_n; ++c) copies[cut.original_vertex[c]].push_back(c);
   const VertexNeighbors neighbors(mesh.faces, n);
+  const std::vector<int> part = partsOf(VertexNeighbors(cut.mesh.faces, cut_n), cut_n);
+  const EdgePaths paths(cut.mesh);
   const double least_detour = LEAST_DETOUR * std::sqrt(faceAreas(mesh).sum());
   std::vector<int> welded;
   std::vector<char> seen(n, 0);
@@ -126,11 +202,10 @@ std::vector<int> weldedContacts(const TriangleMesh& mesh, int& contacts) {
           seen[*w] = 1;
           place.push_back(*w);
         }
-    const Vector distance = pathLengths(cut.mesh, {start});
-    if (std::none_of(copies[start].begin(), copies[start].end(), [&](int c) {
-          return std::isfinite(distance[c]) && distance[c] > least_detour;
-        }))
-      continue;
+    std::vector<int> joined;  // in some other way
+    for (int c : copies[start])
+      if (part[c] == part[start]) joined.push_back(c);
+    if (paths.reachesAll(start, joined, least_detour)) continue;
     welded.insert(welded.end(), place.begin(), place.end());
     ++contacts;
   }
@@ -156,35 +231,50 @@ TriangleMesh without(const TriangleMesh& input,
   return cut;
 }
 
+/// Nothing where too little was left.
+std::optional<CleanMesh> cleaned(const TriangleMesh& cut) {
+  try {
+    return cleanMesh(cut);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean) {
   PartedSurface parted{clean, 0};
   TriangleMesh cut = input;
-  const std::vector<int> welded = weldedContacts(clean.mesh, parted.contacts);
+  int contacts = 0;
+  const std::vector<int> welded = weldedContacts(clean.mesh, contacts);
   if (!welded.empty()) {
     cut = without(cut, clean, welded);
-    parted.clean = cleanMesh(cut);
+    std::optional<CleanMesh> rest = cleaned(cut);
+    if (!rest) return parted;
+    parted = {std::move(*rest), contacts};
   }
-  for (;;) {
+  for (int rings = 0; rings < MOST_RINGS; ++rings) {
     const TriangleMesh& surface = parted.clean.mesh;
-    if (Handles(cutNonManifold(surface).mesh).count() == 0) return parted;
+    if (Handles(cutNonManifold(surface).mesh).count() == 0) break;
     const ReducedMesh reduced = reduceMesh(surface, VERTICES);
     const ManifoldMesh manifold = cutNonManifold(reduced.mesh);
     const std::optional<Ring> ring = contactRing(manifold.mesh);
-    if (!ring) return parted;
+    if (!ring) break;
+    const EdgePaths paths(surface);
     std::vector<int> along;
     const auto place = [&](std::size_t i) {
       return reduced.vertex[manifold.original_vertex[ring->vertices[i % ring->vertices.size()]]];
     };
     for (std::size_t i = 0; i < ring->vertices.size(); ++i) {
-      const std::vector<int> path = shortestPath(surface, place(i), place(i + 1));
+      const std::vector<int> path = paths.shortest(place(i), place(i + 1));
       along.insert(along.end(), path.begin(), path.end());
     }
     cut = without(cut, parted.clean, along);
-    parted.clean = cleanMesh(cut);
-    ++parted.contacts;
+    std::optional<CleanMesh> rest = cleaned(cut);
+    if (!rest) break;
+    parted = {std::move(*rest), parted.contacts + 1};
   }
+  return parted;
 }
 
 }  // namespace posture

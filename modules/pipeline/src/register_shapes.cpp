@@ -8,6 +8,7 @@
 #include "refined_method.h"
 #include "scan_side.h"
 #include "stage_clock.h"
+#include <stdexcept>
 #include <utility>
 
 namespace posture {
@@ -26,20 +27,28 @@ RegistrationResult registerMeshes(const TriangleMesh& source,
   clock.show([&, &a = source_clean, &b = target_clean] { return cleaningPictures(a, b); });
   if (options.method == Method::PAPER)
     return publishedMethod({source, source_clean}, {target, target_clean}, clock);
-  RegistrationResult result =
-      refinedMethod({source, source_clean}, {target, target_clean}, options, clock);
 
   // Where a surface may be grown together with itself it is parted too: the better map tells.
   const auto [source_parted, target_parted] = clock.stage("contacts", 0, [&] {
     return std::pair(partedSurface(source, source_clean), partedSurface(target, target_clean));
   });
-  if (source_parted.contacts == 0 && target_parted.contacts == 0) return result;
-  RegistrationResult parted =
-      refinedMethod({source, source_parted.clean}, {target, target_parted.clean}, options, clock);
-  if (parted.score > result.score - LEAST_GAIN) return result;
-  parted.source.parted_contacts = source_parted.contacts;
-  parted.target.parted_contacts = target_parted.contacts;
-  return parted;
+  const bool parted = source_parted.contacts > 0 || target_parted.contacts > 0;
+  RegistrationResult result = clock.attempt("", parted ? 0.5 : 1, [&] {
+    return refinedMethod({source, source_clean}, {target, target_clean}, options, clock);
+  });
+  if (!parted) return result;
+  try {
+    RegistrationResult other =
+        clock.attempt("parted", 0.5, [&, &a = source_parted.clean, &b = target_parted.clean] {
+          return refinedMethod({source, a}, {target, b}, options, clock);
+        });
+    other.source.parted_contacts = source_parted.contacts;
+    other.target.parted_contacts = target_parted.contacts;
+    if (other.score <= result.score - LEAST_GAIN) return other;
+  } catch (const std::runtime_error&) {  // too little is left to work on
+    if (clock.isStopped()) throw;
+  }
+  return result;
 }
 
 }  // namespace

@@ -40,11 +40,4 @@ class Handles {
   std::vector<Step> steps_;
 };
 
-/// n lengths of shortest ways along edges from any of some vertices; infinity where there is none.
-Vector pathLengths(const TriangleMesh& mesh, const std::vector<int>& from);
-
-/// Shortest way along edges between two vertices of one part of a mesh, both included; empty where
-/// there is none.
-std::vector<int> shortestPath(const TriangleMesh& mesh, int from, int to);
-
 }  // namespace posture
