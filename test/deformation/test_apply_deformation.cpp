@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
+#include <chrono>
 #include <cmath>
 
 namespace posture {
@@ -58,6 +59,37 @@ TEST(ApplyDeformation, hasNoJumps) {
   for (int i = 1; i < STEPS; ++i)
     EXPECT_LT((carried.row(i) - carried.row(i - 1)).norm(),
               3 * (way.row(i) - way.row(i - 1)).norm());
+}
+
+TEST(ApplyDeformation, hasNoJumpsFarOffEither) {
+  const TriangleMesh mesh = test::grid(40, 20, 2, 1);  // eight edges are 0.4
+  const Points bent = test::bentStrip(40, 20, 2, 1, 0.5).vertices;
+  constexpr int STEPS = 4000;
+  Points way(STEPS, 3);
+  for (int i = 0; i < STEPS; ++i) {
+    const double t = static_cast<double>(i) / STEPS;
+    way.row(i) << 0.3 + 1.4 * t, 0.3 + 0.4 * t, 0.2 + t;
+  }
+  const Points carried = applyDeformation(mesh, bent, way);
+  for (int i = 1; i < STEPS; ++i)
+    EXPECT_LT((carried.row(i) - carried.row(i - 1)).norm(),
+              3 * (way.row(i) - way.row(i - 1)).norm())
+        << way.row(i);
+}
+
+TEST(ApplyDeformation, takesLittleLongerForOutliers) {
+  const TriangleMesh mesh = test::grid(150, 150, 1, 1);
+  const Points bent = test::bentStrip(150, 150, 1, 1, 1.5).vertices;
+  const auto secondsFor = [&](const Points& points) {
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_TRUE(applyDeformation(mesh, bent, points).allFinite());
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  Points points = mesh.vertices;
+  points.col(2).array() += 0.001;
+  const double near = secondsFor(points);
+  for (int v = 0; v < points.rows(); v += 20) points(v, 2) += 1 + 1e-4 * v;
+  EXPECT_LT(secondsFor(points), 4 * near);
 }
 
 TEST(ApplyDeformation, aPartThatTouchesDoesNotDrag) {

@@ -6,6 +6,7 @@
 #include <posture/deformation/arap.h>
 #include <posture/mesh/clean_mesh.h>
 #include <posture/mesh/edges.h>
+#include <posture/mesh/nearest_in_triangle.h>
 #include <posture/mesh/point_index.h>
 #include <posture/mesh/vertex_neighbors.h>
 
@@ -58,8 +59,12 @@ class FrameBlend {
       : source_(source),
         edge_(meanEdgeLength(source)),
         neighbors_(source.faces, static_cast<int>(source.vertices.rows())),
+        faces_at_(source.vertices.rows()),
         index_(source.vertices),
-        rotation_(Arap(source, cotangentLaplacian(source)).rotations(deformed)) {}
+        rotation_(Arap(source, cotangentLaplacian(source)).rotations(deformed)) {
+    for (int f = 0; f < source.faces.rows(); ++f)
+      for (int v : source.faces.row(f)) faces_at_[v].push_back(f);
+  }
 
   const Matrix3d& rotation(int vertex) const { return rotation_[vertex]; }
 
@@ -79,25 +84,54 @@ class FrameBlend {
   }
 
  private:
+  /// The place of the surface that is nearest to a point, among the faces at the nearest vertex.
+  Vector3d foot(const Vector3d& x, int nearest) const {
+    Vector3d best = source_.vertices.row(nearest);
+    for (int f : faces_at_[nearest]) {
+      const Vector3d a = source_.vertices.row(source_.faces(f, 0)),
+                     b = source_.vertices.row(source_.faces(f, 1)),
+                     c = source_.vertices.row(source_.faces(f, 2));
+      const Vector3d at = nearestInTriangle<Vector3d>(x, a, b, c);
+      const Vector3d place = at[0] * a + at[1] * b + at[2] * c;
+      if ((place - x).squaredNorm() < (best - x).squaredNorm()) best = place;
+    }
+    return best;
+  }
+
+  /// Where a point is seen from: a far one no farther than some edges, or the whole surface would
+  /// have a say in it.
+  Vector3d viewpoint(const Vector3d& x, int nearest) const {
+    constexpr double FARTHEST = 8;
+    const double most = FARTHEST * edge_;
+    if ((x - source_.vertices.row(nearest).transpose()).norm() <= most) return x;
+    const Vector3d from = foot(x, nearest);
+    const double distance = (x - from).norm();
+    return distance <= most ? x : Vector3d(from + most / distance * (x - from));
+  }
+
   void collect(int i, const Vector3d& x, JoinedNearby& nearby, std::vector<Share>& shares) const {
-    const int nearest = index_.nearest(x).index;
-    const double distance = (source_.vertices.row(nearest).transpose() - x).norm();
+    int nearest = index_.nearest(x).index;
+    const Vector3d seen = viewpoint(x, nearest);
+    if (seen != x) nearest = index_.nearest(seen).index;
+    const double distance = (source_.vertices.row(nearest).transpose() - seen).norm();
     shares.clear();
     if (distance == 0) {
-      shares.push_back({nearest, Vector3d::Zero(), 1});
+      shares.push_back({nearest, x - seen, 1});
       return;
     }
     const double reach = 2 * (edge_ + distance);
-    for (int v : nearby.find(i, x, nearest, reach)) {
-      const Vector3d from = x - source_.vertices.row(v).transpose();
-      const double fade = std::max(0.0, reach - from.norm()) / (reach * from.norm());
-      shares.push_back({v, from, fade * fade});
+    for (int v : nearby.find(i, seen, nearest, reach)) {
+      const Vector3d vertex = source_.vertices.row(v);
+      const double length = (seen - vertex).norm();
+      const double fade = std::max(0.0, reach - length) / (reach * length);
+      shares.push_back({v, x - vertex, fade * fade});
     }
   }
 
   const TriangleMesh& source_;
   double edge_;
   VertexNeighbors neighbors_;
+  std::vector<std::vector<int>> faces_at_;
   PointIndex index_;
   std::vector<Matrix3d> rotation_;
 };

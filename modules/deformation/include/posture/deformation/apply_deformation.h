@@ -13,7 +13,8 @@ namespace posture {
 /// inverse-distance blend with bounded reach (Shepard 1968; Franke and Little 1982), over vertices
 /// that are joined to the nearest one within that reach: parts that touch do not drag each other.
 /// A vertex of the source goes exactly where it went. The map is smooth but where the nearest part
-/// of the surface changes; points far from it move with the nearest.
+/// of the surface changes. A point more than eight edges off goes where the frames would have it
+/// that blend eight edges from the surface, below it.
 /// \param source    its vertices and faces at rest.
 /// \param deformed  n x 3, where the vertices went.
 /// \param points    p x 3, in the frame and unit of the source.
