@@ -205,6 +205,9 @@ TEST(Completion, refusesWhatDoesNotFit) {
   EXPECT_THROW(completeDeformation(source, start, {}, target), std::invalid_argument);
   EXPECT_THROW(completeDeformation({source.vertices, Faces(0, 3)}, start, matches, target),
                std::invalid_argument);
+  Points missing = start;
+  missing(3, 1) = std::nan("");
+  EXPECT_THROW(completeDeformation(source, missing, matches, target), std::invalid_argument);
   Correspondence off = matches;
   off.on_target[0].vertex = 10000;
   EXPECT_THROW(completeDeformation(source, start, off, target), std::invalid_argument);

@@ -18,10 +18,10 @@ OrientedPoints upward(const Points& points) {
   return oriented;
 }
 
-std::vector<Candidate> candidatesOf(const OrientedPoints& oriented, ContactGate gate) {
+std::vector<Candidate> candidatesOf(const OrientedPoints& oriented) {
   const NeighborSearch search(oriented.points);
   const NeighborTable neighbors = search.table(32);
-  return tangentDelaunay(oriented, search, neighbors, spacing(oriented.points, neighbors), gate);
+  return tangentDelaunay(oriented, search, neighbors, spacing(oriented.points, neighbors));
 }
 
 /// Radius of the circle through three points of the plane, and its centre.
@@ -38,7 +38,7 @@ std::pair<Eigen::Vector2d, double> circumcircle(const Points& p, const std::arra
 TEST(TangentDelaunay, IsThePlanesOwnTriangulationInThePlane) {
   const OrientedPoints plane = upward(test::planePoints(400, 0));
   int looked_at = 0;
-  for (const Candidate& c : candidatesOf(plane, ContactGate::LONG_EDGES)) {
+  for (const Candidate& c : candidatesOf(plane)) {
     const auto [center, radius] = circumcircle(plane.points, c.corners);
     // At the border, points that would refuse a large circle are out of reach.
     if (radius > 0.1) continue;
@@ -53,7 +53,7 @@ TEST(TangentDelaunay, AllCornersAgreeOnALattice) {
   Points lattice(400, 3);
   for (int i = 0; i < 400; ++i) lattice.row(i) << i % 20, i / 20, 0;
   const OrientedPoints plane = upward(lattice);
-  const std::vector<Candidate> candidates = candidatesOf(plane, ContactGate::LONG_EDGES);
+  const std::vector<Candidate> candidates = candidatesOf(plane);
   const Faces faces = agreeingFaces(plane, candidates);
   double area = 0;
   for (int f = 0; f < faces.rows(); ++f) {
@@ -69,7 +69,7 @@ TEST(TangentDelaunay, AllCornersAgreeOnALattice) {
 TEST(Agreement, UsesNoEdgeTwiceInADirection) {
   OrientedPoints sphere{test::spherePoints(1500, 0.01), {}};
   sphere.normals = sphere.points.rowwise().normalized();
-  const Faces faces = agreeingFaces(sphere, candidatesOf(sphere, ContactGate::LONG_EDGES));
+  const Faces faces = agreeingFaces(sphere, candidatesOf(sphere));
   std::set<std::pair<int, int>> directed;
   for (int f = 0; f < faces.rows(); ++f)
     for (int k = 0; k < 3; ++k)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/parallel.h>
 #include <posture/deformation/apply_deformation.h>
 #include <posture/deformation/completion.h>
 #include <posture/deformation/mean_value_encoding.h>
@@ -157,14 +158,13 @@ class Level {
   void findPlaces() {
     const Points normals = vertexNormals({places_, rest_.faces});
     std::vector<SurfacePlace> found(on_target_.size());
-#pragma omp parallel for schedule(dynamic, 256)
-    for (int v = 0; v < static_cast<int>(found.size()); ++v) {
+    forEach(static_cast<int>(found.size()), [&](int v) {
       const Vector3d place = places_.row(v);
       std::vector<int> starts{on_target_[v].at.vertex, target_.nearestVertex(place)};
       for (const int* w = neighbors_.begin(v); w != neighbors_.end(v); ++w)
         starts.push_back(on_target_[*w].at.vertex);
       found[v] = target_.find(place, normals.row(v), starts);
-    }
+    });
     on_target_ = std::move(found);
   }
 
@@ -227,6 +227,7 @@ class Level {
     options.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
+    if (summary.iterations.empty()) return;  // refused: the places stay as they are
     iterations_ += static_cast<int>(summary.iterations.size()) - 1;
     radius_ = summary.iterations.back().trust_region_radius;
   }
@@ -275,6 +276,8 @@ void check(const TriangleMesh& source,
   require(start.rows() == n && static_cast<Eigen::Index>(matches.on_target.size()) == n &&
               matches.confidence.size() == n,
           "completeDeformation: one start and one match a vertex");
+  require(source.vertices.allFinite() && start.allFinite() && target.vertices.allFinite(),
+          "completeDeformation: a place that is not finite");
   for (const SurfacePoint& at : matches.on_target)
     require(at.vertex < target.vertices.rows() && at.face < target.faces.rows(),
             "completeDeformation: a match off the target");

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/parallel.h>
 #include <posture/deformation/follow_matches.h>
+#include <posture/mesh/vertex_neighbors.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -9,30 +11,12 @@
 namespace posture {
 namespace {
 
-/// Vertex neighbours in compressed rows.
-struct Adjacency {
-  std::vector<int> first, neighbor;
-
-  explicit Adjacency(const TriangleMesh& mesh) : first(mesh.vertices.rows() + 1, 0) {
-    for (int i = 0; i < mesh.faces.size(); ++i) first[mesh.faces.data()[i] + 1] += 2;
-    for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-    neighbor.resize(first.back());
-    std::vector<int> next(first.begin(), first.end() - 1);
-    for (int f = 0; f < mesh.faces.rows(); ++f)
-      for (int k = 0; k < 3; ++k) {
-        const int v = mesh.faces(f, k);
-        neighbor[next[v]++] = mesh.faces(f, (k + 1) % 3);
-        neighbor[next[v]++] = mesh.faces(f, (k + 2) % 3);
-      }
-  }
-};
-
 /// Known vertices around `start`, ring by ring, until there are enough for a rigid motion that one
 /// wrong match does not decide.
 class KnownNearby {
  public:
-  KnownNearby(const Adjacency& adjacency, const std::vector<char>& known)
-      : adjacency_(adjacency), known_(known), seen_(known.size(), -1) {}
+  KnownNearby(const VertexNeighbors& neighbors, const std::vector<char>& known)
+      : neighbors_(neighbors), known_(known), seen_(known.size(), -1) {}
 
   const std::vector<int>& find(int start) {
     constexpr std::size_t ENOUGH = 12;
@@ -43,11 +27,10 @@ class KnownNearby {
       next_.clear();
       for (int v : ring_) {
         if (known_[v]) found_.push_back(v);
-        for (int i = adjacency_.first[v]; i < adjacency_.first[v + 1]; ++i) {
-          const int w = adjacency_.neighbor[i];
-          if (seen_[w] == start) continue;
-          seen_[w] = start;
-          next_.push_back(w);
+        for (const int* w = neighbors_.begin(v); w != neighbors_.end(v); ++w) {
+          if (seen_[*w] == start) continue;
+          seen_[*w] = start;
+          next_.push_back(*w);
         }
       }
       ring_.swap(next_);
@@ -56,7 +39,7 @@ class KnownNearby {
   }
 
  private:
-  const Adjacency& adjacency_;
+  const VertexNeighbors& neighbors_;
   const std::vector<char>& known_;
   std::vector<int> seen_, found_, ring_, next_;
 };
@@ -89,13 +72,11 @@ Points followMatches(const TriangleMesh& mesh,
   require(static_cast<int>(known.size()) == n && places.rows() == n &&
               static_cast<int>(anchor.size()) == e,
           "followMatches: sizes do not agree");
-  const Adjacency adjacency(mesh);
+  const VertexNeighbors neighbors(mesh.faces, n);
   Points moved(n + e, 3);
-#pragma omp parallel
-  {
-    KnownNearby nearby(adjacency, known);
-#pragma omp for schedule(dynamic, 256)
-    for (int i = 0; i < n + e; ++i) {
+  forBlocks(n + e, [&](int first, int last) {
+    KnownNearby nearby(neighbors, known);
+    for (int i = first; i < last; ++i) {
       if (i < n && known[i]) {
         moved.row(i) = places.row(i);
         continue;
@@ -106,7 +87,7 @@ Points followMatches(const TriangleMesh& mesh,
           i < n ? mesh.vertices.row(i).transpose() : extra.row(i - n).transpose();
       moved.row(i) = (motion * point).transpose();
     }
-  }
+  });
   return moved;
 }
 

@@ -60,11 +60,11 @@ SurfacePlace TargetSurface::find(const Vector3d& point,
     return (mesh_.vertices.row(t).transpose() - point).squaredNorm() +
            normal_weight * (normals_.row(t).transpose() - normal).squaredNorm();
   };
-  int best = -1;
+  int best = starts.front();
   double least = std::numeric_limits<double>::infinity();
   const auto take = [&](int t) {
     const double d = distance(t);
-    if (d > least || (d == least && t >= best)) return false;
+    if (!(d < least || (d == least && t < best))) return false;
     least = d;
     best = t;
     return true;
@@ -90,7 +90,7 @@ SurfacePlace TargetSurface::find(const Vector3d& point,
                      c = mesh_.vertices.row(mesh_.faces(f, 2));
       const Vector3d at = nearestInTriangle<Vector3d>(point, a, b, c);
       const Vector3d place = at[0] * a + at[1] * b + at[2] * c;
-      if ((place - point).squaredNorm() >= least) continue;
+      if (!((place - point).squaredNorm() < least)) continue;
       least = (place - point).squaredNorm();
       found.at.face = f;
       found.at.barycentric = at;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/parallel.h>
 #include <posture/geodesic/landmarks.h>
 #include <posture/mesh/edges.h>
 
@@ -131,12 +132,11 @@ Landmarks computeLandmarks(const TriangleMesh& mesh, const FastMarching& marchin
   landmarks.distances.resize(s, n);
   landmarks.confidence.resize(s, s);
   const BoundaryEdges boundary(mesh);
-#pragma omp parallel
-  {
+  constexpr int BLOCK = 8;
+  forBlocks(s, BLOCK, [&](int first, int last) {
     GeodesicField field;
     std::vector<int> edges(n, 0), hole_edges(n, 0);
-#pragma omp for schedule(dynamic, 8)
-    for (int i = 0; i < s; ++i) {
+    for (int i = first; i < last; ++i) {
       marching.march(landmarks.vertices[i], field);
       for (int v = 0; v < n; ++v) landmarks.distances(i, v) = static_cast<float>(field.distance[v]);
       pathConfidence(field, boundary, edges, hole_edges);
@@ -146,7 +146,7 @@ Landmarks computeLandmarks(const TriangleMesh& mesh, const FastMarching& marchin
             edges[v] == 0 ? 1.0f : 1.0f - static_cast<float>(hole_edges[v]) / edges[v];
       }
     }
-  }
+  });
   landmarks.confidence = (0.5f * (landmarks.confidence + landmarks.confidence.transpose())).eval();
   return landmarks;
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "agreement.h"
 
+#include <posture/core/parallel.h>
+
 #include <Eigen/Geometry>
 
-#include "blocks.h"
 #include <algorithm>
 #include <cmath>
 #include <tuple>

@@ -38,10 +38,8 @@ TriangleMesh tangentSurface(const OrientedPoints& samples,
                             const NeighborSearch& search,
                             const NeighborTable& neighbors,
                             const Spacing& spacing) {
-  return {
-      samples.points,
-      agreeingFaces(samples,
-                    tangentDelaunay(samples, search, neighbors, spacing, ContactGate::LONG_EDGES))};
+  return {samples.points,
+          agreeingFaces(samples, tangentDelaunay(samples, search, neighbors, spacing))};
 }
 
 /// PCL's surfaces, cut where they are not manifold and turned alike.

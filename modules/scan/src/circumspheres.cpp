@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "circumspheres.h"
 
+#include <posture/core/parallel.h>
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "blocks.h"
 #include <limits>
 #include <utility>
 

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "doubts.h"
 
+#include <posture/core/parallel.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
+#include <posture/mesh/vertex_neighbors.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
-#include "blocks.h"
 #include "neighbors.h"
 #include <algorithm>
 #include <functional>
@@ -98,14 +99,20 @@ double thinShare(const TriangleMesh& mesh, double spacing) {
   const int n = static_cast<int>(mesh.vertices.rows());
   const Points normals = vertexNormals(mesh);
   const NeighborSearch search(mesh.vertices);
+  const VertexNeighbors neighbors(mesh.faces, n);
   std::vector<char> is_thin(n, 0);
   forEach(n, [&](int v) {
-    for (int w : search.within(mesh.vertices.row(v), 3 * spacing)) {
+    const int *begin = neighbors.begin(v), *end = neighbors.end(v);
+    double edges = 0;
+    for (const int* w = begin; w != end; ++w)
+      edges += (mesh.vertices.row(*w) - mesh.vertices.row(v)).norm();
+    const double here = std::min(spacing, edges / static_cast<double>(end - begin));
+    const std::vector<int> near = search.within(mesh.vertices.row(v), 3 * here);
+    is_thin[v] = std::any_of(near.begin(), near.end(), [&](int w) {
       const Eigen::RowVector3d offset = mesh.vertices.row(w) - mesh.vertices.row(v);
-      if (normals.row(v).dot(normals.row(w)) < -0.5 &&
-          normals.row(v).dot(offset) < -0.7 * offset.norm())
-        is_thin[v] = 1;
-    }
+      return normals.row(v).dot(normals.row(w)) < -0.5 &&
+             normals.row(v).dot(offset) < -0.7 * offset.norm();
+    });
   });
   return static_cast<double>(std::count(is_thin.begin(), is_thin.end(), 1)) / n;
 }

@@ -11,7 +11,8 @@ namespace posture {
 /// twenty spacings long. A deep crease looks the same. \param normals  of the vertices
 int possibleContacts(const TriangleMesh& mesh, const Points& normals, double spacing);
 
-/// Share of the vertices with the other side of the part less than three spacings behind them.
+/// Share of the vertices with the other side of the part less than three spacings behind them;
+/// where the mesh is denser, three of its edges. \pre  every vertex is in a face.
 double thinShare(const TriangleMesh& mesh, double spacing);
 
 }  // namespace posture

@@ -60,8 +60,7 @@ ScanPoints filterPoints(const ScanPoints& given,
   summary.outliers = static_cast<int>(given.points.rows()) - static_cast<int>(kept.size());
   if (kept.empty()) throw InputError("has no points close enough to each other to be a surface");
   ScanPoints scan{rowsOf(given.points, kept),
-                  {rowsOf(given.hints.directions, kept), given.hints.source},
-                  summary.spacing};
+                  {rowsOf(given.hints.directions, kept), given.hints.source}};
   requireBreadth(scan.points);
 
   const NoiseScale noise = noiseScale(scan.points, NeighborSearch(scan.points));

@@ -13,7 +13,6 @@ namespace posture {
 struct ScanPoints {
   Points points;  ///< in the working frame
   OutsideHints hints;
-  double spacing = 0;
 };
 
 /// Leaves out outliers: `kept` has the rows that stay. Averages neighbours where noise hides the

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "neighbors.h"
 
+#include <posture/core/parallel.h>
+
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
 
-#include "blocks.h"
 #include <algorithm>
 
 namespace posture {

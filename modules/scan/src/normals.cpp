@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "normals.h"
 
-#include "blocks.h"
+#include <posture/core/parallel.h>
+
 #include "local_plane.h"
 #include "spacing.h"
 #include <algorithm>

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outliers.h"
 
+#include <posture/core/parallel.h>
+
 #include <boost/pending/disjoint_sets.hpp>
 
-#include "blocks.h"
 #include "local_plane.h"
 #include <algorithm>
 

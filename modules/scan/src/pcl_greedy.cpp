@@ -14,7 +14,7 @@ namespace posture {
 
 TriangleMesh greedySurface(const OrientedPoints& oriented, double spacing) {
   pcl::GreedyProjectionTriangulation<pcl::PointNormal> greedy;
-  // The factors are those of PCL's tutorial, but for the radius: three spacings, as our own.
+  // The factors are those of PCL's tutorial, but for the radius, which is three spacings.
   greedy.setSearchRadius(3 * spacing);
   greedy.setMu(2.5);
   greedy.setMaximumNearestNeighbors(100);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "place_on_mesh.h"
 
+#include <posture/mesh/nearest_in_triangle.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -11,40 +13,7 @@
 #include <vector>
 
 namespace posture {
-namespace {
-
-/// Barycentric coordinates of the point of a triangle nearest to p (Ericson 2005, 5.1.5).
-Eigen::Vector3d nearestInTriangle(const Eigen::Vector3d& p,
-                                  const Eigen::Vector3d& a,
-                                  const Eigen::Vector3d& b,
-                                  const Eigen::Vector3d& c) {
-  const Eigen::Vector3d ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
-    const double t = d1 / (d1 - d3);
-    return {1 - t, t, 0};
-  }
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
-    const double t = d2 / (d2 - d6);
-    return {1 - t, 0, t};
-  }
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - t, t};
-  }
-  const double sum = va + vb + vc;
-  return {va / sum, vb / sum, vc / sum};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 struct MeshLocator::Tree {
   struct Node {
@@ -100,7 +69,7 @@ struct MeshLocator::Tree {
 
   void tryFace(int face, const Eigen::Vector3d& p, Best& best) const {
     const Eigen::Vector3d a = corner(face, 0), b = corner(face, 1), c = corner(face, 2);
-    const Eigen::Vector3d w = nearestInTriangle(p, a, b, c);
+    const Eigen::Vector3d w = nearestInTriangle<Eigen::Vector3d>(p, a, b, c);
     const double distance_sq = (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
     if (distance_sq < best.distance_sq || (distance_sq == best.distance_sq && face < best.face))
       best = {distance_sq, face, w};

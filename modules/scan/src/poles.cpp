@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "poles.h"
 
-#include "blocks.h"
+#include <posture/core/parallel.h>
+
 #include "signed_sets.h"
 #include <algorithm>
 #include <numeric>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/parallel.h>
 #include <posture/scan/reconstruct.h>
 
 #include "back_end.h"
-#include "blocks.h"
 #include "clean_points.h"
 #include "distinct_points.h"
 #include "front_end.h"

@@ -13,7 +13,7 @@ struct NoiseScale {
   bool double_walls = false;  ///< it never does
 };
 
-/// The smallest of 10, 20, 40, .. 320 neighbours whose root mean square distance from their plane
+/// The smallest of 10, 20, 40, .. 5120 neighbours whose root mean square distance from their plane
 /// is below a fifth of their radius, in the median; 10 when there is none.
 NoiseScale noiseScale(const Points& points, const NeighborSearch& search);
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smoothing.h"
 
-#include "blocks.h"
+#include <posture/core/parallel.h>
+
 #include <cmath>
 
 namespace posture {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "spacing.h"
 
-#include "blocks.h"
+#include <posture/core/parallel.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tangent_delaunay.h"
 
+#include <posture/core/parallel.h>
 #include <posture/core/rng.h>
 
 #include <Eigen/Geometry>
 
-#include "blocks.h"
 #include <algorithm>
 #include <cmath>
 
@@ -49,14 +49,12 @@ class Stars {
   Stars(const OrientedPoints& oriented,
         const NeighborSearch& search,
         const NeighborTable& neighbors,
-        const Spacing& spacing,
-        ContactGate gate)
+        const Spacing& spacing)
       : points_(oriented.points),
         normals_(oriented.normals),
         search_(search),
         neighbors_(neighbors),
-        spacing_(spacing.at),
-        gate_(gate == ContactGate::LONG_EDGES ? 1.5 : 0) {
+        spacing_(spacing.at) {
     // Points of a depth image may lie on a lattice, whose Delaunay triangulation is not unique;
     // moved this little, all stars decide alike.
     Rng rng(2);
@@ -105,7 +103,8 @@ class Stars {
       const double length = offset.norm(), height = offset.dot(normal);
       if (j == i || length > reach || length == 0 || std::abs(height) > 0.8 * length) return;
       if (!sameSheet(normal, normals_.row(j))) return;
-      if (length > gate_ * std::max(spacing_[i], spacing_[j]) &&
+      constexpr double LONG = 1.5;
+      if (length > LONG * std::max(spacing_[i], spacing_[j]) &&
           (normal - normals_.row(j)).dot(offset) > 0.3 * length)
         return;
       // Laid flat with its length kept; inverted, its length is the inverse.
@@ -127,7 +126,6 @@ class Stars {
   const NeighborSearch& search_;
   const NeighborTable& neighbors_;
   const std::vector<double>& spacing_;
-  double gate_;  ///< in spacings
 };
 
 }  // namespace
@@ -135,13 +133,13 @@ class Stars {
 std::vector<Candidate> tangentDelaunay(const OrientedPoints& oriented,
                                        const NeighborSearch& search,
                                        const NeighborTable& neighbors,
-                                       const Spacing& spacing,
-                                       ContactGate gate) {
+                                       const Spacing& spacing) {
   const int n = static_cast<int>(oriented.points.rows());
-  const Stars stars(oriented, search, neighbors, spacing, gate);
-  std::vector<std::vector<std::array<int, 3>>> of_block((n + 1023) / 1024);
-  forBlocks(n, [&](int first, int last) {
-    for (int i = first; i < last; ++i) stars.collect(i, of_block[first / 1024]);
+  const Stars stars(oriented, search, neighbors, spacing);
+  constexpr int BLOCK = 1024;
+  std::vector<std::vector<std::array<int, 3>>> of_block((n + BLOCK - 1) / BLOCK);
+  forBlocks(n, BLOCK, [&](int first, int last) {
+    for (int i = first; i < last; ++i) stars.collect(i, of_block[first / BLOCK]);
   });
   std::vector<std::array<int, 3>> seen;
   for (auto& triangles : of_block) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <exception>
 #include <vector>
 
@@ -22,6 +23,27 @@ void parallelFor(int count, const Body& body) {
   }
   for (const std::exception_ptr& failure : failures)
     if (failure) std::rethrow_exception(failure);
+}
+
+/// Calls body(first, last) for consecutive ranges of 0 .. count - 1, spread over the threads.
+template <class Body>
+void forBlocks(int count, int block, const Body& body) {
+  parallelFor((count + block - 1) / block,
+              [&](int b) { body(b * block, std::min(count, (b + 1) * block)); });
+}
+
+template <class Body>
+void forBlocks(int count, const Body& body) {
+  constexpr int BLOCK = 1024;
+  forBlocks(count, BLOCK, body);
+}
+
+/// Calls body(0) .. body(count - 1), spread over the threads in blocks.
+template <class Body>
+void forEach(int count, const Body& body) {
+  forBlocks(count, [&](int first, int last) {
+    for (int i = first; i < last; ++i) body(i);
+  });
 }
 
 }  // namespace posture
