@@ -48,6 +48,31 @@ TEST(CleanMesh, leavesACleanMeshAsItIs) {
   EXPECT_EQ(clean.summary.components, 1);
 }
 
+TEST(CleanMesh, isThatOfTheMainSurfaceWhereverTheRestLies) {
+  // At a map's coordinates, with a vertex in no face and a speck of a face at the origin.
+  TriangleMesh mesh = test::sphere(2);
+  const auto n = mesh.vertices.rows(), m = mesh.faces.rows();
+  mesh.vertices.rowwise() += Eigen::RowVector3d(5e5, 5e6, 300);
+  mesh.vertices.conservativeResize(n + 4, 3);
+  mesh.vertices.bottomRows(4) << 0, 0, 0, 1, 0, 0, 1.1, 0, 0, 1, 0.1, 0;
+  mesh.faces.conservativeResize(m + 1, 3);
+  mesh.faces.bottomRows(1) << n + 1, n + 2, n + 3;
+  const CleanMesh clean = cleanMesh(mesh);
+  EXPECT_EQ(clean.mesh.vertices.rows(), n);
+  EXPECT_EQ(clean.mesh.faces.rows(), m);
+}
+
+TEST(CleanMesh, refusesFacesInALineFarFromTheOrigin) {
+  TriangleMesh line;
+  line.vertices.resize(6, 3);
+  for (int v = 0; v < 6; ++v)
+    line.vertices.row(v) =
+        Eigen::RowVector3d(5e5, 5e6, 300) + v * Eigen::RowVector3d(0.1, 0.7, 0.3);
+  line.faces.resize(4, 3);
+  line.faces << 0, 1, 2, 1, 2, 3, 2, 3, 4, 3, 4, 5;
+  EXPECT_THROW(cleanMesh(line), InputError);
+}
+
 TEST(CleanMesh, loosePartsFollowTheSurfaceTheyAreNearestTo) {
   TriangleMesh eye = test::sphere(0);
   eye.vertices *= 0.1;

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -46,6 +48,27 @@ TEST(PointIndex, takesAnyUnit) {
       const auto found = index.nearest(unit * points.row(i));
       EXPECT_EQ(found.index, i);
       EXPECT_LT(found.distance, 1e-6 * unit);
+    }
+  }
+}
+
+TEST(PointIndex, findsAllWithinARadiusInAnyFrame) {
+  Rng rng(5);
+  const Points around_origin = randomPoints(500, rng), queries = randomPoints(50, rng);
+  const Eigen::RowVector3d far(5e5, 4e6, 300);
+  const Points points = (100 * around_origin).rowwise() + far;
+  const PointIndex index(points);
+  for (int q = 0; q < queries.rows(); ++q) {
+    // Outside of the points as well.
+    const Eigen::RowVector3d query = 3 * (100 * queries.row(q)) + far;
+    for (double radius : {0.5, 20.0, 150.0}) {
+      std::vector<int> found = index.within(query, radius), all;
+      EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+      const auto isWithin = [&](int v) { return (points.row(v) - query).norm() < radius; };
+      found.erase(std::remove_if(found.begin(), found.end(), std::not_fn(isWithin)), found.end());
+      for (int v = 0; v < points.rows(); ++v)
+        if (isWithin(v)) all.push_back(v);
+      EXPECT_EQ(found, all);
     }
   }
 }

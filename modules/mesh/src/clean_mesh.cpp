@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -60,8 +61,13 @@ Faces toFaces(const std::vector<Eigen::Vector3i>& triangles) {
   return faces;
 }
 
-/// Face -> component, and the component of largest area.
-std::pair<std::vector<int>, int> components(const TriangleMesh& mesh, CleaningSummary& summary) {
+struct Components {
+  std::vector<int> of_face;
+  int main;  // that of largest area
+  double main_area;
+};
+
+Components components(const TriangleMesh& mesh, CleaningSummary& summary) {
   const int n = static_cast<int>(mesh.vertices.rows());
   std::vector<int> rank(n), parent(n);
   boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
@@ -82,7 +88,7 @@ std::pair<std::vector<int>, int> components(const TriangleMesh& mesh, CleaningSu
       std::max_element(area_of.begin(), area_of.end(), [](const auto& a, const auto& b) {
         return a.second < b.second;
       });
-  return {component, largest->first};
+  return {component, largest->first, largest->second};
 }
 
 bool hasDirectedEdge(const Faces& faces, int face, int from, int to) {
@@ -164,6 +170,13 @@ class Orienter {
   std::vector<char> visited_;
 };
 
+/// What rounding leaves between corners in a line, as read or far from the origin.
+double areaOfRounding(const Points& vertices) {
+  const double extent = (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).norm();
+  const double digit = std::numeric_limits<double>::epsilon() * vertices.cwiseAbs().maxCoeff();
+  return extent * std::max(1e-12 * extent, 4 * digit);
+}
+
 /// Input vertices that are no corner of the main surface follow the clean vertex nearest to them.
 void attachLooseVertices(const Points& vertices, CleanMesh& clean) {
   const bool any_loose = std::count(clean.clean_vertex.begin(), clean.clean_vertex.end(), -1) > 0;
@@ -194,13 +207,7 @@ CleanMesh cleanMesh(const TriangleMesh& input) {
   summary.unreferenced_vertices =
       static_cast<int>(std::count(referenced.begin(), referenced.end(), 0));
 
-  const Eigen::RowVector3d extent =
-      input.vertices.colwise().maxCoeff() - input.vertices.colwise().minCoeff();
-  // Rounding leaves corners in a line this much.
-  if (!(faceAreas(welded).sum() > 1e-12 * extent.squaredNorm()))
-    throw InputError("has only faces without area");
-
-  const auto [component, main_component] = components(welded, summary);
+  const auto [component, main_component, main_area] = components(welded, summary);
   clean.clean_vertex.assign(n, -1);
   clean.offset = Vector::Zero(n);
   std::vector<Eigen::Vector3i> faces;
@@ -221,9 +228,9 @@ CleanMesh cleanMesh(const TriangleMesh& input) {
     summary.loose_vertices += referenced[v] != 0 && clean.clean_vertex[v] < 0;
 
   clean.mesh.faces = toFaces(faces);
-  clean.mesh.vertices.resize(clean.input_vertex.size(), 3);
-  for (std::size_t v = 0; v < clean.input_vertex.size(); ++v)
-    clean.mesh.vertices.row(v) = input.vertices.row(clean.input_vertex[v]);
+  clean.mesh.vertices = input.vertices(clean.input_vertex, Eigen::all);
+  if (!(main_area > areaOfRounding(clean.mesh.vertices)))
+    throw InputError("has only faces without area");
   summary.flipped_faces = Orienter(clean.mesh).run();
   for (const Edge& e : meshEdges(clean.mesh.faces)) summary.non_manifold_edges += e.faces > 2;
   attachLooseVertices(input.vertices, clean);

@@ -6,6 +6,7 @@
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -54,6 +55,17 @@ std::vector<PointIndex::Neighbor> PointIndex::nearest(const Eigen::Vector3d& que
   for (std::size_t i = 0; i < index.size(); ++i)
     neighbors.push_back({index[i], tree_->unit * std::sqrt(static_cast<double>(distance_sq[i]))});
   return neighbors;
+}
+
+std::vector<int> PointIndex::within(const Eigen::Vector3d& query, double radius) const {
+  constexpr double ROUNDING = 1e-6;  // of coordinates of order 1, in single precision
+  std::vector<int> index;
+  std::vector<float> distance_sq;
+  const pcl::PointXYZ at = tree_->local(query);
+  const double size = std::max({1.0f, std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+  tree_->kdtree.radiusSearch(at, radius / tree_->unit + ROUNDING * size, index, distance_sq);
+  std::sort(index.begin(), index.end());
+  return index;
 }
 
 }  // namespace posture

@@ -188,12 +188,28 @@ class Placing {
   }
 
   /// The source's main surface, for neighbours.
-  struct Main {
-    std::vector<int> vertex;
-    Main(const Points& vertices, const CleanMesh& clean) {
-      for (int v = 0; v < vertices.rows(); ++v)
-        if (!(clean.offset[v] > 0)) vertex.push_back(v);
+  class Main {
+   public:
+    Main(const Points& vertices, const CleanMesh& clean)
+        : vertex_(verticesOf(clean)), index_(vertices(vertex_, Eigen::all)) {}
+
+    /// In increasing order; by rounding perhaps some beyond.
+    std::vector<int> within(const Eigen::RowVector3d& center, double radius) const {
+      std::vector<int> found = index_.within(center.transpose(), radius);
+      for (int& v : found) v = vertex_[v];
+      return found;
     }
+
+   private:
+    static std::vector<int> verticesOf(const CleanMesh& clean) {
+      std::vector<int> vertices;
+      for (int v = 0; v < clean.offset.size(); ++v)
+        if (!(clean.offset[v] > 0)) vertices.push_back(v);
+      return vertices;
+    }
+
+    std::vector<int> vertex_;
+    PointIndex index_;
   };
 
   /// Target vertices where the source's main surface lies.
@@ -226,7 +242,7 @@ class Placing {
     const double radius = SURROUNDINGS * size_ / result_.scale;
     // Places of vertices that have a counterpart say more than those of others.
     std::vector<int> around, mapped;
-    for (int v : main_.vertex)
+    for (int v : main_.within(center, radius))
       if ((all.row(v) - center).norm() < radius) {
         around.push_back(v);
         if (result_.correspondence.on_target[v].vertex >= 0) mapped.push_back(v);

@@ -30,6 +30,9 @@ class PointIndex {
   /// The nearest \p count points (all, where there are fewer), near ones first; likewise.
   std::vector<Neighbor> nearest(const Eigen::Vector3d& query, int count) const;
 
+  /// All points closer than \p radius, in increasing order; by rounding perhaps some beyond.
+  std::vector<int> within(const Eigen::Vector3d& query, double radius) const;
+
  private:
   struct Tree;
   std::unique_ptr<const Tree> tree_;
