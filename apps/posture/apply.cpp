@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "endings.h"
+#include "folder.h"
 #include "verbs.h"
 #include <cstdio>
 #include <filesystem>
@@ -31,13 +33,26 @@ TriangleMesh readPart(const fs::path& path) {
   return readMesh(path).mesh;
 }
 
+struct StoredDeformation {
+  DeformedSurface surface;
+  std::string doubt;  ///< why the data did not decide; empty: they did
+};
+
 /// What a folder that `register` wrote says about its deformation.
-DeformedSurface readDeformation(const fs::path& folder) {
+StoredDeformation readDeformation(const fs::path& folder) {
   const fs::path report_path = folder / "report.json";
   std::ifstream file(report_path);
   const Json report = Json::parse(file, nullptr, false);
   if (!report.is_object() || !report.contains("files"))
     throw InputError(report_path.string() + ": missing or damaged; no complete result of register");
+  const auto text = [&](const char* field) {
+    const auto found = report.find(field);
+    return found != report.end() && found->is_string() ? found->get<std::string>() : "";
+  };
+  // Without any map the source was left as it was.
+  if (report.value("chosen", Json()).is_null())
+    throw InputError(report_path.string() + ": has no deformation: " + text("message"));
+  const std::string doubt = text("status") == "registered" ? "" : text("message");
   const bool of_cloud = report["files"].contains("registered_surface.ply");
   const fs::path rest_path = folder / (of_cloud ? "source_surface.ply" : "source_colored.ply");
   const fs::path moved_path = folder / (of_cloud ? "registered_surface.ply" : "registered.ply");
@@ -45,15 +60,19 @@ DeformedSurface readDeformation(const fs::path& folder) {
   if (rest.vertices.rows() != moved.vertices.rows())
     throw InputError(moved_path.string() + ": does not go with " + rest_path.filename().string());
   try {
-    return joinedSurface(rest, moved.vertices);
+    return {joinedSurface(rest, moved.vertices), doubt};
   } catch (const InputError& error) {
     throw InputError(rest_path.string() + ": " + error.what());
   }
 }
 
-void applyVerb(const ApplyOptions& options, const Common& common) {
-  const DeformedSurface stored = readDeformation(options.folder);
+void applyVerb(const ApplyOptions& options, Common& common) {
+  const auto [stored, doubt] = readDeformation(options.folder);
   Shape shape = readShape(options.points);
+  const std::string wrong =
+      wrongEnding(options.output, shape.faces.rows() > 0 ? MESH_ENDINGS : CLOUD_ENDINGS);
+  if (!wrong.empty()) throw CLI::ValidationError("--output", wrong);
+  checkWritable(options.output);  // now, not after the work
   const std::vector<int> seen = finiteRows(shape.cloud.points);
   const Points moved =
       applyDeformation(stored.rest, stored.deformed, shape.cloud.points(seen, Eigen::all));
@@ -65,6 +84,10 @@ void applyVerb(const ApplyOptions& options, const Common& common) {
     writeMesh(options.output, {shape.cloud.points, shape.faces}, shape.cloud.colors);
   else
     writePointCloud(options.output, shape.cloud);
+  if (!doubt.empty()) {
+    common.exit_code = EXIT_UNDECIDED;
+    std::fprintf(stderr, "posture: %s: %s\n", options.folder.c_str(), doubt.c_str());
+  }
   if (common.json)
     std::printf("%s\n", Json{{"points", seen.size()}}.dump().c_str());
   else if (!common.quiet)
@@ -83,7 +106,8 @@ void addApply(CLI::App& app, Common& common) {
   verb->add_option("-o,--output",
                    options->output,
                    "The same, moved: PLY, OBJ or OFF for a mesh; PLY, PCD or XYZ for points")
-      ->required();
+      ->required()
+      ->check(endsInOneOf({".ply", ".obj", ".off", ".pcd", ".xyz"}));
   verb->callback([options, &common] { applyVerb(*options, common); });
 }
 

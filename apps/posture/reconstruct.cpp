@@ -6,6 +6,7 @@
 #include <posture/report/report_json.h>
 #include <posture/scan/reconstruct.h>
 
+#include "endings.h"
 #include "folder.h"
 #include "result_files.h"
 #include "surface_option.h"
@@ -49,7 +50,7 @@ void reconstructVerb(const ReconstructOptions& options, const Common& common) {
   for (const std::string& warning : surface.summary.warnings)
     std::fprintf(stderr, "posture: %s: %s\n", options.scan.c_str(), warning.c_str());
   const ReconstructionSummary& s = surface.summary;
-  std::printf("%d of %d points made a surface of %d vertices and %d faces: %d %s, %d %s\n",
+  std::printf("%d of %d points made a surface of %d vertices and %d faces: %d %s, %d %s%s\n",
               s.points - s.missing - s.outliers,
               s.points,
               s.vertices,
@@ -57,7 +58,8 @@ void reconstructVerb(const ReconstructOptions& options, const Common& common) {
               s.components,
               s.components == 1 ? "piece" : "pieces",
               s.boundary_loops,
-              s.boundary_loops == 1 ? "rim" : "rims");
+              s.boundary_loops == 1 ? "rim" : "rims",
+              s.through_points ? "; the points have no noise and are its vertices" : "");
 }
 
 }  // namespace
@@ -67,7 +69,9 @@ void addReconstruct(CLI::App& app, Common& common) {
   CLI::App* verb = app.add_subcommand(
       "reconstruct", "Lay a surface through the points of SCAN; what was not seen stays open");
   verb->add_option("SCAN", options->scan, "Points: PCD, PLY, XYZ, TXT or CSV")->required();
-  verb->add_option("-o,--output", options->mesh, "The mesh: PLY, OBJ or OFF")->required();
+  verb->add_option("-o,--output", options->mesh, "The mesh: PLY, OBJ or OFF")
+      ->required()
+      ->check(endsInOneOf(MESH_ENDINGS));
   verb->add_option("--link", options->link, "Also write each point's place on the mesh, as CSV");
   addSurfaceOption(verb, options->reconstruction.surface);
   verb->callback([options, &common] { reconstructVerb(*options, common); });

@@ -36,7 +36,11 @@ RunDescription describe(const RegisterOptions& options,
   RunDescription run;
   run.source = options.source.string();
   run.target = options.target.string();
-  run.options = {{"method", options.paper ? "paper" : "refined"}};
+  const auto flag = [](bool is_set) { return is_set ? "true" : "false"; };
+  run.options = {{"method", options.paper ? "paper" : "refined"},
+                 {"surface", nameOf(options.surface)},
+                 {"both", flag(options.both)},
+                 {"alternatives", flag(options.alternatives)}};
   run.files = resultFiles(result);
   run.threads = omp_get_max_threads();
   run.seconds = seconds;
@@ -68,6 +72,7 @@ void registerVerb(const RegisterOptions& options, Common& common) {
   bar.show("writing", 1);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   const RunDescription run = describe(options, result, elapsed.count());
+  removeResultFiles(options.folder, {options.source, options.target});  // no mix of two results
   writeResultFiles(options.folder, source.shape, target.shape, result, segments);
   writeText(options.folder / "report.json", reportJson(result, run));
   writeText(options.folder / "report.html", reportHtml(result, run));

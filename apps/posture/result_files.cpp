@@ -8,7 +8,12 @@
 #include <posture/io/shape_io.h>
 #include <posture/report/colors.h>
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
 #include <locale>
+#include <system_error>
 
 namespace posture::app {
 namespace {
@@ -53,7 +58,33 @@ std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationR
   }
   if (result.source_scan)
     files.emplace_back("registered_surface.ply", "source_surface.ply, moved onto the target");
+  for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
+    if (result.alternatives[k].correspondence.on_target.empty()) continue;
+    files.emplace_back(alternativeName(k) + ".csv", "correspondence.csv of another answer");
+    files.emplace_back(alternativeName(k) + "_target_colored.ply",
+                       "target_colored.ply of that answer");
+  }
   return files;
+}
+
+void removeResultFiles(const fs::path& folder, const std::vector<fs::path>& except) {
+  const fs::path report_path = folder / "report.json";
+  std::ifstream file(report_path);
+  const nlohmann::json report = nlohmann::json::parse(file, nullptr, false);
+  file.close();
+  const auto remove = [&](const fs::path& name) {
+    const fs::path path = folder / name;
+    std::error_code error;  // what cannot be removed is written over, or that fails and says why
+    if (name != name.filename() || !fs::is_regular_file(path, error)) return;
+    if (std::none_of(except.begin(), except.end(), [&](const fs::path& kept) {
+          return fs::equivalent(path, kept, error);
+        }))
+      fs::remove(path, error);
+  };
+  remove("report.json");  // first: without it the folder is no result
+  remove("report.html");
+  if (!report.is_object() || !report.contains("files") || !report["files"].is_object()) return;
+  for (const auto& listed : report["files"].items()) remove(listed.key());
 }
 
 void writeSurfaceLink(const fs::path& path, const ScanSurface& surface) {

@@ -26,6 +26,11 @@ void writeResultFiles(const std::filesystem::path& folder,
                       const RegistrationResult& result,
                       const std::optional<ShapeSegments>& segments);
 
+/// Takes an earlier result out of a folder, but for some files: what its report lists, the report
+/// first.
+void removeResultFiles(const std::filesystem::path& folder,
+                       const std::vector<std::filesystem::path>& except);
+
 /// A mesh stays a mesh, a cloud a cloud.
 void writeColored(const std::filesystem::path& path,
                   const Points& points,

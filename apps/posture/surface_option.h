@@ -6,7 +6,23 @@
 
 #include <CLI/CLI.hpp>
 
+#include <map>
+#include <string>
+
 namespace posture::app {
+
+/// As the user names them.
+inline const std::map<std::string, SurfaceMethod> SURFACE_METHODS = {
+    {"delaunay", SurfaceMethod::TANGENT_DELAUNAY},
+    {"mls", SurfaceMethod::MLS},
+    {"poisson", SurfaceMethod::POISSON},
+    {"greedy", SurfaceMethod::GREEDY}};
+
+inline std::string nameOf(SurfaceMethod method) {
+  for (const auto& [name, value] : SURFACE_METHODS)
+    if (value == method) return name;
+  return {};
+}
 
 /// --surface: how a surface is laid through points.
 inline void addSurfaceOption(CLI::App* verb, SurfaceMethod& method) {
@@ -14,12 +30,8 @@ inline void addSurfaceOption(CLI::App* verb, SurfaceMethod& method) {
                    method,
                    "How a surface is laid through points: delaunay (the default), mls, poisson or "
                    "greedy (PCL's, for comparison)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, SurfaceMethod>{
-                                              {"delaunay", SurfaceMethod::TANGENT_DELAUNAY},
-                                              {"mls", SurfaceMethod::MLS},
-                                              {"poisson", SurfaceMethod::POISSON},
-                                              {"greedy", SurfaceMethod::GREEDY}})
-                      .description("delaunay, mls, poisson, greedy"));
+      ->transform(
+          CLI::CheckedTransformer(SURFACE_METHODS).description("delaunay, mls, poisson, greedy"));
 }
 
 }  // namespace posture::app

@@ -43,7 +43,7 @@ class Apply : public testing::Test {
     for (const std::string name : {"source.ply", "cloud.xyz"}) {
       const ProgramRun ended = test::run(
           POSTURE, {"register", at(name), at("target.ply"), "-o", at("of-" + name), "-q"});
-      ASSERT_LE(ended.exit_code, 1) << ended.err;
+      ASSERT_EQ(ended.exit_code, 0) << ended.err;
     }
   }
   static void TearDownTestSuite() { folder_.reset(); }
@@ -114,6 +114,34 @@ TEST_F(Apply, joinsFacetsThatShareNoVertices) {
   const Points soup = readShape(at("by-soup.xyz")).cloud.points,
                mesh = readShape(at("by-mesh.xyz")).cloud.points;
   EXPECT_LT((soup - mesh).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST_F(Apply, passesOnWhatRegisterDoubted) {
+  const auto withReport = [&](const std::string& name, const std::string& report) {
+    fs::copy(at("of-source.ply"), at(name));
+    std::ofstream(at(name) + "/report.json") << report;
+    return apply(name, "source.ply", name + "-moved.ply");
+  };
+  const ProgramRun doubted = withReport(
+      "doubted", R"({"status": "undecided", "message": "no idea", "chosen": 0, "files": {}})");
+  EXPECT_EQ(doubted.exit_code, 1);
+  EXPECT_THAT(doubted.err, HasSubstr("no idea"));
+  EXPECT_TRUE(fs::exists(at("doubted-moved.ply")));
+  const ProgramRun without = withReport(
+      "without", R"({"status": "undecided", "message": "no map", "chosen": null, "files": {}})");
+  EXPECT_EQ(without.exit_code, 3);
+  EXPECT_TRUE(test::saidWhyInOneLine(without)) << without.err;
+  EXPECT_THAT(without.err, HasSubstr("no map"));
+  EXPECT_FALSE(fs::exists(at("without-moved.ply")));
+}
+
+TEST_F(Apply, refusesAnEndingThatDoesNotFit) {
+  for (const std::string wrong : {"moved.stl", "moved.xyz"}) {  // a mesh is none of points
+    const ProgramRun ended = apply("of-source.ply", "source.ply", wrong);
+    EXPECT_EQ(ended.exit_code, 2) << wrong;
+    EXPECT_TRUE(test::saidWhyInOneLine(ended)) << ended.err;
+    EXPECT_THAT(ended.err, HasSubstr(".obj"));
+  }
 }
 
 TEST_F(Apply, namesWhatIsMissingInOneLine) {

@@ -89,6 +89,23 @@ TEST_F(Reconstruct, OffersTheSurfacesOfPcl) {
   EXPECT_EQ(reconstruct("body.xyz", {"--surface", "magic"}).exit_code, 2);
 }
 
+TEST_F(Reconstruct, RefusesAnEndingBeforeTheWork) {
+  const auto end =
+      test::run(POSTURE, {"reconstruct", folder_ / "none.xyz", "-o", folder_ / "mesh.stl"});
+  EXPECT_EQ(end.exit_code, 2);
+  EXPECT_TRUE(test::saidWhyInOneLine(end)) << end.err;
+  EXPECT_THAT(end.err, HasSubstr(".off"));
+}
+
+TEST_F(Reconstruct, SaysWhetherThePointsAreTheVertices) {
+  const auto end = reconstruct("body.xyz", {"--json"});
+  EXPECT_EQ(json::parse(end.out).at("through_points"), true);
+  EXPECT_THAT(reconstruct("body.xyz").out, HasSubstr("are its vertices"));
+  EXPECT_EQ(
+      json::parse(reconstruct("body.xyz", {"--surface", "mls", "--json"}).out).at("through_points"),
+      false);
+}
+
 TEST_F(Reconstruct, BadInputIsOneLineAndLeavesNothing) {
   writeLines("empty.xyz", 0, [](int) { return ""; });
   writeLines("equal.xyz", 100, [](int) { return "1 2 3"; });

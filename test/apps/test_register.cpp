@@ -210,6 +210,44 @@ TEST_F(Register, saysNoMoreThanItIsAskedFor) {
   EXPECT_EQ(one_thread_.err, "");  // no bar where there is no terminal
 }
 
+TEST_F(Register, saysWhatItWasAskedForAndWhatItWrote) {
+  const json said = report("one");
+  EXPECT_EQ(said.at("options"),
+            json({{"method", "refined"},
+                  {"surface", "delaunay"},
+                  {"both", "false"},
+                  {"alternatives", "false"}}));
+  for (const std::string& name : RESULTS) {
+    if (name == "report.json" || name == "report.html") continue;
+    EXPECT_TRUE(said.at("files").contains(name)) << name;
+  }
+}
+
+TEST_F(Register, leavesNothingOfAnEarlierResult) {
+  const fs::path folder = at("again");
+  fs::create_directory(folder);
+  writeMesh(folder / "source.ply", readMesh(at("source.ply")).mesh);
+  const auto write = [](const fs::path& path, const std::string& text) {
+    std::ofstream(path) << text;
+  };
+  // What an earlier report lists goes, but for the input; what is elsewhere or not listed stays.
+  const json files = {{"correspondence_back.csv", ""}, {"source.ply", ""}, {"../target.off", ""}};
+  write(folder / "report.json", json({{"files", files}}).dump());
+  write(folder / "correspondence_back.csv", "old");
+  write(folder / "notes.txt", "mine");
+  const ProgramRun ended = registerShapes(
+      {folder / "source.ply", at("target.off"), "-o", folder.string(), "--alternatives", "-q"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  std::set<std::string> names, listed{"report.json", "report.html", "notes.txt", "source.ply"};
+  for (const fs::path& file : filesIn(folder)) names.insert(file.filename().string());
+  const json report = json::parse(test::bytesOf(folder / "report.json"));
+  for (const auto& file : report.at("files").items()) listed.insert(file.key());
+  EXPECT_EQ(names, listed);  // with the alternatives, if there are any
+  EXPECT_FALSE(names.count("correspondence_back.csv"));
+  EXPECT_TRUE(fs::exists(at("target.off")));
+  EXPECT_EQ(report.at("options").at("alternatives"), "true");
+}
+
 TEST_F(Register, anInterruptedRunLeavesWholeFilesOnly) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const std::string name = "interrupted-" + std::to_string(signal);

@@ -35,6 +35,7 @@ Json describe(const ReconstructionSummary& s) {
           {"repeated", s.repeated},
           {"outliers", s.outliers},
           {"dropped_pieces", s.dropped_pieces},
+          {"through_points", s.through_points},
           {"spacing", number(s.spacing)},
           {"noise", number(s.noise)},
           {"mesh_spacing", number(s.mesh_spacing)},

@@ -87,6 +87,7 @@ std::optional<PointSurface> surfaceOfCleanPoints(const Points& points,
 
   const Points vertex_normals = normals(surface.point, Eigen::all);
   separate(surface, n);
+  summary.through_points = true;
   summary.spacing = summary.mesh_spacing = h.median;
   summary.noise = scatter.noise * h.median;
   summary.dropped_pieces = dropped;
