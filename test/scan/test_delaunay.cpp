@@ -186,6 +186,16 @@ TEST(Predicates, AreExactWhereRoundingIsNot) {
   EXPECT_EQ(orientation({0, 0, 0}, {far, 0, 1}, {0, far, 1}, {far, far, 2}), 0);
   EXPECT_EQ(orientation({0, 0, 0}, {far, 0, 1}, {0, far, 1}, {far, far, 3}), 1);
   EXPECT_EQ(orientation({0, 0, 0}, {far, 0, 1}, {0, far, 1}, {far - 1, far, 2}), 1);
+  // The same of a sphere, and beside the corners of its octahedron.
+  const double radius = 0x1p50;
+  LatticePoint a{radius, 0, 0}, b{0, radius, 0};
+  const LatticePoint c{0, 0, radius}, d{-radius, 0, 0};
+  if (orientation(a, b, c, d) < 0) std::swap(a, b);
+  ASSERT_EQ(orientation(a, b, c, d), 1);
+  EXPECT_TRUE(isInSphere(a, b, c, d, {0, 0, 1 - radius}));
+  EXPECT_FALSE(isInSphere(a, b, c, d, {0, 0, -1 - radius}));
+  EXPECT_TRUE(isInSphere(a, b, c, d, {0, 1 - radius, 0}));
+  EXPECT_FALSE(isInSphere(a, b, c, d, {1, -radius, 0}));
 }
 
 }  // namespace
