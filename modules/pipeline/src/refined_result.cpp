@@ -48,6 +48,16 @@ std::vector<char> onTheInside(const BendableSurface& source,
   return inside;
 }
 
+std::vector<char> withoutPartner(const BendableSurface& source,
+                                 const BendableSurface& target,
+                                 const FullMap& map) {
+  std::vector<char> without = overHoles(source, target, map.pair);
+  if (!map.laid) return without;
+  const std::vector<char> inside = onTheInside(source, target, map.pair);
+  for (std::size_t v = 0; v < inside.size(); ++v) without[v] |= inside[v];
+  return without;
+}
+
 /// For faces of the main surface the face they were given as.
 class GivenFaces {
  public:
@@ -111,11 +121,8 @@ FullMap toFullResolution(const RefinedShape& given_source,
                      refined.pair);
   settle(a, b, softness, FULL_ROUNDS, map.pair);
   map.places = placesOnFaces(a, b, softness, map.pair);
-  map.without_partner = overHoles(a, b, map.pair);
-  if (refined.laid) {
-    const std::vector<char> inside = onTheInside(a, b, map.pair);
-    for (std::size_t v = 0; v < inside.size(); ++v) map.without_partner[v] |= inside[v];
-  }
+  map.laid = refined.laid;
+  map.without_partner = withoutPartner(a, b, map);
   return map;
 }
 
@@ -125,7 +132,8 @@ FullMap reversed(const RefinedShape& source, const RefinedShape& target, const F
   FullMap back;
   back.pair = {{map.pair.maps.backward, map.pair.maps.forward}, map.pair.bent_b, map.pair.bent_a};
   back.places = placesOnFaces(a, b, softness, back.pair);
-  back.without_partner = overHoles(a, b, back.pair);
+  back.laid = map.laid;
+  back.without_partner = withoutPartner(a, b, back);
   return back;
 }
 

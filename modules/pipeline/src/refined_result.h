@@ -12,7 +12,8 @@ namespace posture {
 struct FullMap {
   BentPair pair;
   std::vector<FacePoint> places;      ///< of the source's vertices on the target
-  std::vector<char> without_partner;  ///< the target has a hole there
+  std::vector<char> without_partner;  ///< the target has no such place
+  bool laid = false;                  ///< found by laying the surfaces over each other
 };
 
 /// Takes a map from the work meshes to all vertices of both shapes.
