@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/cpu_seconds.h"
 #include "support/shapes.h"
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -295,9 +295,7 @@ TEST(RigidSegments, takeNoLongerWhereTheMotionIsExact) {
   const TriangleMesh mesh = test::sphere(5);
   const int n = static_cast<int>(mesh.vertices.rows());
   const auto seconds = [&](const Points& pose) {
-    const auto start = std::chrono::steady_clock::now();
-    EXPECT_EQ(segmentRigidParts(mesh, {pose}).count, 1);
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return test::cpuSeconds([&] { EXPECT_EQ(segmentRigidParts(mesh, {pose}).count, 1); });
   };
   const double noisy = seconds(mesh.vertices + 1e-3 * test::randomPoints(n, 3));
   EXPECT_LT(seconds(mesh.vertices), 3 * noisy);
