@@ -73,11 +73,8 @@ void applyVerb(const ApplyOptions& options, Common& common) {
       wrongEnding(options.output, shape.faces.rows() > 0 ? MESH_ENDINGS : CLOUD_ENDINGS);
   if (!wrong.empty()) throw CLI::ValidationError("--output", wrong);
   checkWritable(options.output);  // now, not after the work
-  const std::vector<int> seen = finiteRows(shape.cloud.points);
-  const Points moved =
-      applyDeformation(stored.rest, stored.deformed, shape.cloud.points(seen, Eigen::all));
-  shape.cloud.points(seen, Eigen::all) = moved;
-  shape.cloud.normals.resize(0, 3);  // they turned with the surface
+  const std::size_t seen = finiteRows(shape.cloud.points).size();
+  shape.cloud = applyDeformation(stored, std::move(shape.cloud));
   shape.cloud.sensor.reset();
   shape.cloud.width = 0;  // what is bent is no depth image
   if (shape.faces.rows() > 0)
@@ -89,9 +86,9 @@ void applyVerb(const ApplyOptions& options, Common& common) {
     std::fprintf(stderr, "posture: %s: %s\n", options.folder.c_str(), doubt.c_str());
   }
   if (common.json)
-    std::printf("%s\n", Json{{"points", seen.size()}}.dump().c_str());
+    std::printf("%s\n", Json{{"points", seen}}.dump().c_str());
   else if (!common.quiet)
-    std::printf("%zu points moved\n", seen.size());
+    std::printf("%zu points moved\n", seen);
 }
 
 }  // namespace

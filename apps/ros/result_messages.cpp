@@ -18,22 +18,6 @@ using sensor_msgs::PointCloud2;
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-/// Normals turned as the surface turns; those of points that were not seen, and unknown ones, stay.
-Points turnedNormals(const PointCloud& cloud, const RegistrationResult& result) {
-  Points normals = cloud.normals;
-  std::vector<int> rows;
-  for (int i = 0; i < normals.rows(); ++i)
-    if (cloud.points.row(i).allFinite() && normals.row(i).allFinite() && normals.row(i).norm() > 0)
-      rows.push_back(i);
-  if (rows.empty()) return normals;
-  const Points turned = turnDirections(result.source_scan->mesh,
-                                       result.surface_deformed,
-                                       cloud.points(rows, Eigen::all),
-                                       normals(rows, Eigen::all));
-  normals(rows, Eigen::all) = turned;
-  return normals;
-}
-
 PointCloud2 colored(const SideView& side, const Colors& colors) {
   PointCloud cloud;
   cloud.points = side.shape.cloud.points;
@@ -111,8 +95,9 @@ void add(DiagnosticStatus& status, const std::string& key, const std::string& va
 PointCloud2 registeredCloud(const SideView& source,
                             const SideView& target,
                             const RegistrationResult& result) {
+  const DeformedSurface surface{result.source_scan->mesh, result.surface_deformed};
   PointCloud2 message =
-      moved(source.message, result.deformed, turnedNormals(source.shape.cloud, result));
+      moved(source.message, result.deformed, turnedNormals(surface, source.shape.cloud));
   message.header = target.message.header;
   return message;
 }

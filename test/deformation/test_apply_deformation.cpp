@@ -6,9 +6,10 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/cpu_seconds.h"
 #include "support/shapes.h"
-#include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace posture {
 namespace {
@@ -81,9 +82,7 @@ TEST(ApplyDeformation, takesLittleLongerForOutliers) {
   const TriangleMesh mesh = test::grid(150, 150, 1, 1);
   const Points bent = test::bentStrip(150, 150, 1, 1, 1.5).vertices;
   const auto secondsFor = [&](const Points& points) {
-    const auto start = std::chrono::steady_clock::now();
-    EXPECT_TRUE(applyDeformation(mesh, bent, points).allFinite());
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return test::cpuSeconds([&] { EXPECT_TRUE(applyDeformation(mesh, bent, points).allFinite()); });
   };
   Points points = mesh.vertices;
   points.col(2).array() += 0.001;
@@ -135,6 +134,34 @@ TEST(TurnDirections, takesNormalsAlongABend) {
       coarse, test::bentStrip(20, 10, 2, 1, angle).vertices, dense.vertices, vertexNormals(dense));
   // Those of the bent surface; an edge of the coarse one turns by 0.075 radians.
   EXPECT_LT(gap(turned, vertexNormals(bent)), 0.075);
+}
+
+TEST(ApplyDeformation, takesACloudAlongWithItsNormals) {
+  const TriangleMesh mesh = test::sphere(2);
+  PointCloud cloud;
+  cloud.points = 2 * test::randomPoints(50, 4);
+  cloud.normals = test::randomPoints(50, 5);
+  constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
+  cloud.points.row(7).setConstant(NONE);
+  cloud.normals.row(8).setConstant(NONE);
+  cloud.normals.row(9).setZero();
+  const PointCloud carried = applyDeformation({mesh, moved(mesh.vertices, similarity())}, cloud);
+  const Points places = moved(cloud.points, similarity());
+  const Points origin = Points::Zero(1, 3);
+  const Points turned =
+      moved(cloud.normals, similarity()).rowwise() - moved(origin, similarity()).row(0);
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_EQ(carried.points.row(i).allFinite(), i != 7);
+    if (i != 7) {
+      EXPECT_LT((carried.points.row(i) - places.row(i)).norm(), 1e-6);
+    }
+    if (i == 7 || i == 9) {
+      EXPECT_EQ(carried.normals.row(i), cloud.normals.row(i));
+    } else if (i != 8) {
+      EXPECT_LT((carried.normals.row(i).normalized() - turned.row(i).normalized()).norm(), 1e-6);
+    }
+  }
+  EXPECT_FALSE(carried.normals.row(8).allFinite());
 }
 
 TEST(JoinedSurface, facetsThatShareNoVerticesAreJoined) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/finite_rows.h>
 #include <posture/core/parallel.h>
 #include <posture/deformation/apply_deformation.h>
 #include <posture/deformation/arap.h>
@@ -188,6 +189,29 @@ Points turnDirections(const TriangleMesh& source,
     turned.row(i) = direction.norm() * sum.normalized().transpose();
   });
   return turned;
+}
+
+Points turnedNormals(const DeformedSurface& surface, const PointCloud& cloud) {
+  Points normals = cloud.normals;
+  std::vector<int> rows;
+  for (int i = 0; i < normals.rows(); ++i)
+    if (cloud.points.row(i).allFinite() && normals.row(i).allFinite() && normals.row(i).norm() > 0)
+      rows.push_back(i);
+  if (rows.empty()) return normals;
+  const Points turned = turnDirections(surface.rest,
+                                       surface.deformed,
+                                       cloud.points(rows, Eigen::all),
+                                       cloud.normals(rows, Eigen::all));
+  normals(rows, Eigen::all) = turned;
+  return normals;
+}
+
+PointCloud applyDeformation(const DeformedSurface& surface, PointCloud cloud) {
+  cloud.normals = turnedNormals(surface, cloud);
+  const std::vector<int> seen = finiteRows(cloud.points);
+  const Points at_rest = cloud.points(seen, Eigen::all);
+  cloud.points(seen, Eigen::all) = applyDeformation(surface.rest, surface.deformed, at_rest);
+  return cloud;
 }
 
 DeformedSurface joinedSurface(const TriangleMesh& source, const Points& deformed) {

@@ -148,21 +148,6 @@ Eigen::Isometry3d bestRigidMotion(const CloudSide& source,
   return motion;
 }
 
-/// Normals at finite points, turned; the others as they are.
-Points turnedNormals(const DeformedSurface& surface, const PointCloud& cloud) {
-  if (cloud.normals.rows() == 0) return cloud.normals;
-  const std::vector<int> seen = finiteRows(cloud.points);
-  const Points normals = cloud.normals(seen, Eigen::all);
-  const Points turned =
-      turnDirections(surface.rest, surface.deformed, cloud.points(seen, Eigen::all), normals);
-  Points all = cloud.normals;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    if (normals.row(row).allFinite()) all.row(seen[i]) = turned.row(row);
-  }
-  return all;
-}
-
 RegisteredClouds registered(const CloudSide& source,
                             const CloudSide& target,
                             const RegistrationOptions& options) {
@@ -196,12 +181,7 @@ RegisteredClouds registerClouds(const CloudSide& source,
 }
 
 PointCloud deformed(const RegisteredClouds& clouds, PointCloud points) {
-  const std::vector<int> seen = finiteRows(points.points);
-  points.normals = turnedNormals(clouds.surface, points);
-  const Points places = points.points(seen, Eigen::all);
-  points.points(seen, Eigen::all) =
-      applyDeformation(clouds.surface.rest, clouds.surface.deformed, places);
-  return points;
+  return applyDeformation(clouds.surface, std::move(points));
 }
 
 double meanSquaredDistance(const Points& points, const Points& target, double max_range) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <posture/core/point_cloud.h>
 #include <posture/core/types.h>
 
 namespace posture {
@@ -35,6 +36,13 @@ struct DeformedSurface {
   TriangleMesh rest;
   Points deformed;  ///< one row a vertex
 };
+
+/// Points and their normals taken along. Points that are not finite stay as they are, as do normals
+/// there and those that are not finite or of no length. \throws std::invalid_argument  as above.
+PointCloud applyDeformation(const DeformedSurface& surface, PointCloud cloud);
+
+/// The normals of a cloud at rest, turned so; none, where it has none.
+Points turnedNormals(const DeformedSurface& surface, const PointCloud& cloud);
 
 /// For any mesh the surface that points are best taken along with: facets that do not share
 /// vertices are joined where these are at one place, and vertices in no face, which have no frame
