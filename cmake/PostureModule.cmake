@@ -62,11 +62,14 @@ function(posture_record_component name depends private_depends)
   set_property(GLOBAL PROPERTY POSTURE_${name}_MODULES ${modules})
 endfunction()
 
-# Warnings and language level of our own code; never handed on to those who link to us.
+# Warnings, language level and the names of files in messages, for our own code; never handed on to
+# those who link to us.
 function(posture_target_settings target)
   target_compile_features(${target} PUBLIC cxx_std_17)
   # Named although compilers have it by default: clang-tidy does not.
   set_target_properties(${target} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow
-    $<$<BOOL:${POSTURE_WARNINGS_AS_ERRORS}>:-Werror>)
+    $<$<BOOL:${POSTURE_WARNINGS_AS_ERRORS}>:-Werror>
+    # Macros such as ROS's write __FILE__ into the binary; what is installed names no folder it was built in.
+    -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= -fmacro-prefix-map=${PROJECT_BINARY_DIR}/=)
 endfunction()
