@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/parallel.h>
 #include <posture/dense/dense_map.h>
 #include <posture/dense/thin_plate_spline.h>
 #include <posture/matching/consistency.h>
@@ -19,11 +20,11 @@ std::vector<int> nearestVertices(const EmbeddedShape& source,
   const PointIndex index(target.form.vertices);
   const int n = static_cast<int>(source.form.vertices.rows());
   std::vector<int> nearest(n);
-#pragma omp parallel for schedule(dynamic, 64)
-  for (int v = 0; v < n; ++v) {
+  constexpr int BLOCK = 64;
+  forEach(n, BLOCK, [&](int v) {
     const Eigen::RowVector3d place = spline(source.form.vertices.row(v));
     nearest[v] = place.allFinite() ? index.nearest(place).index : -1;
-  }
+  });
   return nearest;
 }
 
@@ -50,12 +51,11 @@ Agreement agreement(const EmbeddedShape& source,
   Agreement result{std::vector<int>(n, 0), Vector::Zero(n)};
   // Blocks of vertices keep a landmark's row of distances in cache.
   constexpr int BLOCK = 2048;
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int begin = 0; begin < n; begin += BLOCK)
+  forBlocks(n, BLOCK, [&](int first, int last) {
     for (const Match& match : matches) {
       const auto from_source = source.landmarks.distances.row(match.source);
       const auto from_target = target.landmarks.distances.row(match.target);
-      for (int v = begin; v < std::min(n, begin + BLOCK); ++v) {
+      for (int v = first; v < last; ++v) {
         if (target_vertex[v] < 0) continue;
         const double a = from_source[v], b = from_target[target_vertex[v]];
         const bool near = std::abs(a - b) <= uncertainty;
@@ -64,6 +64,7 @@ Agreement agreement(const EmbeddedShape& source,
         result.mean[v] += a == b ? 1 : c;
       }
     }
+  });
   if (!matches.empty()) result.mean /= static_cast<double>(matches.size());
   return result;
 }

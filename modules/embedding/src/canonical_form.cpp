@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/parallel.h>
 #include <posture/embedding/canonical_form.h>
 #include <posture/embedding/scaling.h>
 
@@ -71,11 +72,11 @@ CanonicalForm computeCanonicalForm(const Landmarks& samples) {
   for (int i = 0; i < s; ++i) sample_of[samples.vertices[i]] = i;
   // A hundredth of the spacing of the samples is far below what the embedding can tell.
   const double tolerance = 0.01 * samples.covering_radius;
-#pragma omp parallel for schedule(dynamic, 64)
-  for (int v = 0; v < n; ++v) {
+  constexpr int BLOCK = 64;
+  forEach(n, BLOCK, [&](int v) {
     if (sample_of[v] >= 0) {
       form.vertices.row(v) = form.landmarks.row(sample_of[v]);
-      continue;
+      return;
     }
     // Paths from v meet the holes that those of its nearest sample meet.
     const int nearest = samples.nearest[v];
@@ -84,7 +85,7 @@ CanonicalForm computeCanonicalForm(const Landmarks& samples) {
                                    samples.confidence.row(nearest),
                                    form.landmarks.row(nearest),
                                    tolerance);
-  }
+  });
   return form;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/parallel.h>
 #include <posture/embedding/scaling.h>
 
 #include <ceres/ceres.h>
@@ -23,8 +24,8 @@ class Stress : public ceres::FirstOrderFunction {
     const int s = static_cast<int>(distances_.rows());
     const Eigen::Map<const Points> x(parameters, s, 3);
     Vector row_cost(s);
-#pragma omp parallel for schedule(static)
-    for (int i = 0; i < s; ++i) {
+    constexpr int BLOCK = 32;
+    forEach(s, BLOCK, [&](int i) {
       const double xi = x(i, 0), yi = x(i, 1), zi = x(i, 2);
       double sum = 0, gx = 0, gy = 0, gz = 0;
       for (int j = 0; j < s; ++j) {
@@ -40,7 +41,7 @@ class Stress : public ceres::FirstOrderFunction {
       }
       row_cost[i] = sum;
       if (gradient != nullptr) Eigen::Map<Points>(gradient, s, 3).row(i) << 2 * gx, 2 * gy, 2 * gz;
-    }
+    });
     *cost = 0.5 * row_cost.sum();
     return true;
   }

@@ -22,6 +22,8 @@ namespace {
 /// rows sees both directions. Twelve numbers a vertex.
 using Features = Eigen::Matrix<float, 12, Eigen::Dynamic>;
 
+constexpr int BLOCK = 256;  // vertices a thread takes at once
+
 Features features(const Points& on_a,
                   const Points& normals_on_a,
                   const Points& on_b,
@@ -43,8 +45,7 @@ std::vector<int> slide(const BendableSurface& from,
                        const Features& of_to,
                        const std::vector<int>& matches) {
   std::vector<int> better(matches.size());
-#pragma omp parallel for schedule(dynamic, 256)
-  for (int v = 0; v < static_cast<int>(matches.size()); ++v) {
+  forEach(static_cast<int>(matches.size()), BLOCK, [&](int v) {
     const auto distance = [&](int t) { return (of_from.col(v) - of_to.col(t)).squaredNorm(); };
     int best = matches[v];
     float least = distance(best);
@@ -69,7 +70,7 @@ std::vector<int> slide(const BendableSurface& from,
       }
     }
     better[v] = best;
-  }
+  });
   return better;
 }
 
@@ -94,8 +95,7 @@ std::vector<FacePoint> bestPlaces(const Features& of_from,
                                   const Features& of_to,
                                   const std::vector<int>& matches) {
   std::vector<FacePoint> places(matches.size());
-#pragma omp parallel for schedule(dynamic, 256)
-  for (int v = 0; v < static_cast<int>(matches.size()); ++v) {
+  forEach(static_cast<int>(matches.size()), BLOCK, [&](int v) {
     using Column = Eigen::Matrix<double, 12, 1>;
     const Column p = of_from.col(v).cast<double>();
     double least = std::numeric_limits<double>::infinity();
@@ -112,7 +112,7 @@ std::vector<FacePoint> bestPlaces(const Features& of_from,
         places[v] = {*f, at};
       }
     }
-  }
+  });
   return places;
 }
 

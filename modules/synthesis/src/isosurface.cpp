@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "isosurface.h"
 
+#include <posture/core/parallel.h>
 #include <posture/core/rng.h>
 
 #include <algorithm>
@@ -75,11 +76,11 @@ void sample(const FleshField& field, Lattice& lattice) {
   const auto [nx, ny, nz] = lattice.size;
   lattice.value.resize(static_cast<std::size_t>(nx) * ny * nz);
   const int layers = (nz + BLOCK - 1) / BLOCK;
-#pragma omp parallel for schedule(dynamic)
-  for (int layer = 0; layer < layers; ++layer)
+  parallelFor(layers, [&](int layer) {
     for (int j = 0; j < lattice.size[1]; j += BLOCK)
       for (int i = 0; i < lattice.size[0]; i += BLOCK)
         sampleBlock(field, lattice, {i, j, layer * BLOCK});
+  });
 }
 
 class Marcher {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "remesh.h"
 
+#include <posture/core/parallel.h>
+
 #include "edit_mesh.h"
 #include <cmath>
 #include <cstdlib>
@@ -14,6 +16,7 @@ constexpr int MAX_ROUNDS = 24;
 constexpr int SETTLING_ROUNDS = 4;
 constexpr double TOO_LONG = 4.0 / 3, TOO_SHORT = 4.0 / 5;
 constexpr double COUNT_TOLERANCE = 0.02;
+constexpr int BLOCK = 64;  // vertices a thread takes at once
 
 class Remesher {
  public:
@@ -92,22 +95,20 @@ class Remesher {
   void relax() {
     const int n = mesh_.numSlots();
     std::vector<Vec3> moved(n);
-#pragma omp parallel for schedule(dynamic, 64)
-    for (int v = 0; v < n; ++v) {
-      if (!mesh_.isAlive(v)) continue;
+    forEach(n, BLOCK, [&](int v) {
+      if (!mesh_.isAlive(v)) return;
       const Vec3 normal = mesh_.areaNormal(v).normalized();
       const Vec3 way = mesh_.areaCentroid(v) - mesh_.point(v);
       moved[v] = field_.project(mesh_.point(v) + way - way.dot(normal) * normal);
-    }
+    });
     for (int v = 0; v < n; ++v)
       if (mesh_.isAlive(v)) mesh_.move(v, moved[v]);
   }
 
   void measureWanted() {
-    const int n = mesh_.numSlots();
-#pragma omp parallel for schedule(dynamic, 64)
-    for (int v = 0; v < n; ++v)
+    forEach(mesh_.numSlots(), BLOCK, [&](int v) {
       if (mesh_.isAlive(v)) wanted_[v] = field_.edgeLength(mesh_.point(v), edge_);
+    });
   }
 
   EditMesh mesh_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "skinning.h"
 
+#include <posture/core/parallel.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -90,9 +92,8 @@ class Weigher {
 Matrix skinWeights(const BodyShape& shape, const FleshField& field, const Points& rest) {
   const Weigher weigher(shape, field);
   Matrix weights(rest.rows(), static_cast<Eigen::Index>(shape.bones.size()));
-#pragma omp parallel for schedule(static)
-  for (Eigen::Index i = 0; i < rest.rows(); ++i)
-    weights.row(i) = weigher.weights(rest.row(i).transpose()).transpose();
+  forEach(static_cast<int>(rest.rows()),
+          [&](int i) { weights.row(i) = weigher.weights(rest.row(i).transpose()).transpose(); });
   return weights;
 }
 

@@ -38,12 +38,18 @@ void forBlocks(int count, const Body& body) {
   forBlocks(count, BLOCK, body);
 }
 
-/// Calls body(0) .. body(count - 1), spread over the threads in blocks.
+/// Calls body(0) .. body(count - 1), spread over the threads in blocks of so many.
 template <class Body>
-void forEach(int count, const Body& body) {
-  forBlocks(count, [&](int first, int last) {
+void forEach(int count, int block, const Body& body) {
+  forBlocks(count, block, [&](int first, int last) {
     for (int i = first; i < last; ++i) body(i);
   });
+}
+
+template <class Body>
+void forEach(int count, const Body& body) {
+  constexpr int BLOCK = 1024;
+  forEach(count, BLOCK, body);
 }
 
 }  // namespace posture
