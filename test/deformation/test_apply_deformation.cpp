@@ -109,14 +109,6 @@ TEST(ApplyDeformation, aPartThatTouchesDoesNotDrag) {
             1e-9);
 }
 
-TEST(ApplyDeformation, scaleIsThatOfMostEdges) {
-  const TriangleMesh mesh = test::sphere(2);
-  Points places = 2.5 * mesh.vertices;
-  places.row(7) << 9, 9, 9;
-  EXPECT_NEAR(deformationScale(mesh, places), 2.5, 1e-12);
-  EXPECT_EQ(deformationScale({mesh.vertices, Faces(0, 3)}, places), 1);
-}
-
 TEST(TurnDirections, turnsWithTheWholeAndKeepsLengths) {
   const TriangleMesh mesh = test::sphere(2);
   const Points points = 3 * test::randomPoints(200, 4), directions = test::randomPoints(200, 5);

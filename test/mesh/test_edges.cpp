@@ -58,5 +58,13 @@ TEST(Edges, nothingLiesAcrossAnEdgeOfThreeFaces) {
   EXPECT_EQ(facesAcross(Faces(0, 3)).rows(), 0);
 }
 
+TEST(Edges, medianRatioIsThatOfMostEdges) {
+  const TriangleMesh mesh = test::sphere(2);
+  Points places = 2.5 * mesh.vertices;
+  places.row(7) << 9, 9, 9;
+  EXPECT_NEAR(medianEdgeRatio(mesh, places), 2.5, 1e-12);
+  EXPECT_EQ(medianEdgeRatio({mesh.vertices, Faces(0, 3)}, places), 1);
+}
+
 }  // namespace
 }  // namespace posture

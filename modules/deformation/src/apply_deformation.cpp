@@ -144,23 +144,10 @@ void requireSurface(const TriangleMesh& source, const Points& deformed) {
 
 }  // namespace
 
-double deformationScale(const TriangleMesh& source, const Points& deformed) {
-  std::vector<double> ratios;
-  for (const Edge& e : meshEdges(source.faces)) {
-    const double before = (source.vertices.row(e.first) - source.vertices.row(e.second)).norm();
-    const double after = (deformed.row(e.first) - deformed.row(e.second)).norm();
-    if (before > 0 && after > 0) ratios.push_back(after / before);
-  }
-  if (ratios.empty()) return 1;
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
-}
-
 Points applyDeformation(const TriangleMesh& source, const Points& deformed, const Points& points) {
   requireSurface(source, deformed);
   const FrameBlend blend(source, deformed);
-  const double scale = deformationScale(source, deformed);
+  const double scale = medianEdgeRatio(source, deformed);
   Points moved(points.rows(), 3);
   blend.forEach(points, [&](int i, const std::vector<FrameBlend::Share>& shares) {
     Vector3d sum = Vector3d::Zero();

@@ -247,7 +247,7 @@ class Level {
 };
 
 /// Noise makes edges longer: both shapes are smoothed alike before their edges are compared.
-double scaleOf(const TriangleMesh& source, const Points& start) {
+double scaleWithoutNoise(const TriangleMesh& source, const Points& start) {
   constexpr int PASSES = 5;
   const int n = static_cast<int>(start.rows());
   const VertexNeighbors neighbors(source.faces, n);
@@ -263,7 +263,7 @@ double scaleOf(const TriangleMesh& source, const Points& start) {
     }
     return places;
   };
-  return deformationScale({smoothed(source.vertices), source.faces}, smoothed(start));
+  return medianEdgeRatio({smoothed(source.vertices), source.faces}, smoothed(start));
 }
 
 void check(const TriangleMesh& source,
@@ -293,7 +293,7 @@ Completion completeDeformation(const TriangleMesh& source,
   const double unit = meanEdgeLength(target);
   const Eigen::RowVector3d centre = target.vertices.colwise().mean();
   Completion completion;
-  completion.scale = scaleOf(source, start);
+  completion.scale = scaleWithoutNoise(source, start);
   const auto inUnits = [&](const Points& places) -> Points {
     return (places.rowwise() - centre) / unit;
   };

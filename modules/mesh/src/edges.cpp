@@ -68,6 +68,19 @@ double meanEdgeLength(const TriangleMesh& mesh) {
   return edges.empty() ? 0 : sum / static_cast<double>(edges.size());
 }
 
+double medianEdgeRatio(const TriangleMesh& mesh, const Points& places) {
+  std::vector<double> ratios;
+  for (const Edge& e : meshEdges(mesh.faces)) {
+    const double before = (mesh.vertices.row(e.first) - mesh.vertices.row(e.second)).norm();
+    const double after = (places.row(e.first) - places.row(e.second)).norm();
+    if (before > 0 && after > 0) ratios.push_back(after / before);
+  }
+  if (ratios.empty()) return 1;
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle;
+}
+
 Vector faceAreas(const TriangleMesh& mesh) {
   Vector areas(mesh.faces.rows());
   for (int f = 0; f < mesh.faces.rows(); ++f) {

@@ -38,9 +38,6 @@ constexpr int ROUNDS = 6;
 constexpr int LEAST_PART = 8, MOST_EXCHANGES = 3;
 constexpr std::size_t MOST_MIXTURES = 8;
 
-/// Less is what the score of one map changes by from one bending to the next.
-constexpr double LEAST_GAIN = 0.1;
-
 /// Connected parts of the source where two maps lead to different places, at most half of it each.
 std::vector<std::vector<int>> differingParts(const SpectralSurface& source,
                                              const SpectralSurface& target,
@@ -194,7 +191,7 @@ void exchangeParts(const SpectralSurface& source,
       scores[i] = scoreMaps(source, target, mixed[i]);
     });
     int best = -1;
-    double least = finalists.front().score.total() - LEAST_GAIN;
+    double least = finalists.front().score.total() - SCORE_NOISE;
     for (std::size_t i = 0; i < mixed.size(); ++i)
       if (scores[i].total() < least) {
         least = scores[i].total();

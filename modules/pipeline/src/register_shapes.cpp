@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/pipeline/register_shapes.h>
+#include <posture/refine/map_score.h>
 
 #include "contacts.h"
 #include "prepare.h"
@@ -13,9 +14,6 @@
 
 namespace posture {
 namespace {
-
-/// Less is what the score of one map changes by from one bending to the next.
-constexpr double LEAST_GAIN = 0.1;
 
 RegistrationResult registerMeshes(const TriangleMesh& source,
                                   const TriangleMesh& target,
@@ -44,7 +42,7 @@ RegistrationResult registerMeshes(const TriangleMesh& source,
         });
     other.source.parted_contacts = source_parted.contacts;
     other.target.parted_contacts = target_parted.contacts;
-    if (other.score <= result.score - LEAST_GAIN) return other;
+    if (other.score <= result.score - SCORE_NOISE) return other;
   } catch (const std::runtime_error&) {  // too little is left to work on
     if (clock.isStopped()) throw;
   }

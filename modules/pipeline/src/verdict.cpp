@@ -20,9 +20,6 @@ constexpr double EVEN_SCORE = -8.7, SCORE_WIDTH = 0.3;
 /// Below it the answer is called undecided.
 constexpr double LEAST_TRUST = 0.5;
 
-/// A coarse map this good needs no other kind of candidate beside it: docs/decisions.md.
-constexpr double CONVINCING_SCORE = -8.7;
-
 /// How likely it is, by its score alone, that a map is between poses of one body.
 double likenessOf(double score) { return 1 / (1 + std::exp((score - EVEN_SCORE) / SCORE_WIDTH)); }
 
@@ -61,7 +58,7 @@ double marginBefore(const RegistrationResult& result, const AlternativeSummary& 
   return other.score - result.alternatives[result.chosen].score;
 }
 
-bool convinces(const MapScore& score) { return score.total() < CONVINCING_SCORE; }
+bool convinces(const MapScore& score) { return score.total() < EVEN_SCORE; }
 
 double trustIn(const RegistrationResult& result) {
   const int rival = rivalOf(result);

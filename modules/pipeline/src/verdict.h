@@ -24,7 +24,8 @@ double marginBefore(const RegistrationResult& result, const AlternativeSummary& 
 /// [0, 1].
 double trustIn(const RegistrationResult& result);
 
-/// Whether a map scores as those between poses of one body do.
+/// Whether a map scores as those between poses of one body do: it then needs no other kind of
+/// candidate beside it.
 bool convinces(const MapScore& score);
 
 /// Sets status and message from the trust.

@@ -33,18 +33,6 @@ Points normalized(const Points& places, double unit) {
   return (places.rowwise() - places.colwise().mean()) / unit;
 }
 
-/// The scale of a pose: the median ratio of its edges to those at rest.
-double scaleOf(const TriangleMesh& rest, const Points& pose) {
-  std::vector<double> ratios;
-  for (const Edge& e : meshEdges(rest.faces)) {
-    const double before = (rest.vertices.row(e.first) - rest.vertices.row(e.second)).norm();
-    if (before > 0) ratios.push_back((pose.row(e.first) - pose.row(e.second)).norm() / before);
-  }
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle > 0 ? *middle : 1;
-}
-
 /// Sets of things that are joined, directly or by others; `join` is given a function of two.
 template <class Join>
 int countJoined(int things, const Join& join) {
@@ -337,7 +325,7 @@ RigidSegments segmentRigidParts(const TriangleMesh& rest, const std::vector<Poin
   const TriangleMesh shape{normalized(rest.vertices, unit), rest.faces};
   std::vector<Points> shapes;
   for (const Points& pose : poses) {
-    segments.scale.push_back(scaleOf(rest, pose));
+    segments.scale.push_back(medianEdgeRatio(rest, pose));
     shapes.push_back(normalized(pose, unit * segments.scale.back()));
   }
   // Faces without area still have neighbours to go with.

@@ -49,8 +49,4 @@ Points turnedNormals(const DeformedSurface& surface, const PointCloud& cloud);
 /// of their own, are left out. \throws InputError  as cleanMesh.
 DeformedSurface joinedSurface(const TriangleMesh& source, const Points& deformed);
 
-/// The median ratio of edge lengths: a length at rest times this is one as deformed. 1 where there
-/// is none.
-double deformationScale(const TriangleMesh& source, const Points& deformed);
-
 }  // namespace posture

@@ -24,6 +24,10 @@ Faces facesAcross(const Faces& faces);
 
 double meanEdgeLength(const TriangleMesh& mesh);
 
+/// The scale of a deformation: the median ratio of the edges' lengths between the places (one a
+/// vertex) to those of the mesh. 1 where there are none.
+double medianEdgeRatio(const TriangleMesh& mesh, const Points& places);
+
 /// m areas, in squared mesh units.
 Vector faceAreas(const TriangleMesh& mesh);
 

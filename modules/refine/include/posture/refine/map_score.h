@@ -19,6 +19,9 @@ struct MapScore {
   double total() const;
 };
 
+/// What the total of one map changes by from one bending to the next: less is no gain.
+constexpr double SCORE_NOISE = 0.1;
+
 /// \pre  any prefix of each surface's vertices is spread evenly (as reduceMesh() orders them).
 MapScore scoreMaps(const SpectralSurface& a, const SpectralSurface& b, const VertexMaps& maps);
 
