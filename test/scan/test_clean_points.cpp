@@ -50,16 +50,16 @@ Cleanness cleannessOf(const Points& points) {
   return cleanness(points, neighbors, spacing(points, neighbors));
 }
 
-/// Rings of six points about the z axis, much farther apart than the points of a ring, as limbs of
-/// coarse meshes have them; both ends closed by a point.
-Points coarseLimb(int rings, double radius, double step) {
-  Points points(6 * rings + 2, 3);
-  for (int i = 0; i < 6 * rings; ++i) {
-    const double around = 2 * M_PI * (i % 6 + 0.5 * (i / 6 % 2)) / 6;
-    points.row(i) << radius * std::cos(around), radius * std::sin(around), step * (i / 6);
+/// Rings of `around` points about the z axis, much farther apart than the points of a ring, as
+/// limbs of coarse meshes have them; both ends closed by a point.
+Points coarseLimb(int around, int rings, double radius, double step) {
+  Points points(around * rings + 2, 3);
+  for (int i = 0; i < around * rings; ++i) {
+    const double angle = 2 * M_PI * (i % around + 0.5 * (i / around % 2)) / around;
+    points.row(i) << radius * std::cos(angle), radius * std::sin(angle), step * (i / around);
   }
-  points.row(6 * rings) << 0, 0, -0.4 * radius;
-  points.row(6 * rings + 1) << 0, 0, step * (rings - 1) + 0.4 * radius;
+  points.row(around * rings) << 0, 0, -0.4 * radius;
+  points.row(around * rings + 1) << 0, 0, step * (rings - 1) + 0.4 * radius;
   return points;
 }
 
@@ -73,7 +73,7 @@ Points withBall(const Points& points) {
 TEST(Cleanness, TellsNoiseFromCoarseness) {
   EXPECT_TRUE(cleannessOf(test::spherePoints(3000, 0)).is_clean);
   EXPECT_TRUE(cleannessOf(test::torusPoints(1000, 1, 0.3)).is_clean);
-  EXPECT_TRUE(cleannessOf(withBall(coarseLimb(60, 0.1, 0.15))).is_clean);
+  EXPECT_TRUE(cleannessOf(withBall(coarseLimb(6, 60, 0.1, 0.15))).is_clean);
   // A spacing of 0.065.
   EXPECT_FALSE(cleannessOf(test::spherePoints(3000, 0.003)).is_clean);
   EXPECT_FALSE(cleannessOf(test::spherePoints(3000, 0.02)).is_clean);
@@ -106,7 +106,7 @@ TEST(CleanPoints, KeepTheTopologyOfATorus) {
 }
 
 TEST(CleanPoints, MakeALimbOfSixPointsAround) {
-  const Points points = withBall(coarseLimb(60, 0.1, 0.15));
+  const Points points = withBall(coarseLimb(6, 60, 0.1, 0.15));
   const Found found = find(points);
   ASSERT_TRUE(found.surface);
   const TriangleMesh& mesh = found.surface->mesh;
@@ -121,6 +121,17 @@ TEST(CleanPoints, MakeALimbOfSixPointsAround) {
     if (center.x() > 2 || center.z() < 0 || center.z() > 0.15 * 59) continue;
     EXPECT_GT(center.head<2>().norm(), 0.05);
   }
+}
+
+TEST(CleanPoints, ReachAsFarAlongALimbAsItsPointsLieApart) {
+  // The sixteen points nearest to any are of its own ring: a spacing of 0.13 at most, steps of 0.7.
+  const Points points = withBall(coarseLimb(40, 12, 0.25, 0.7));
+  const Found found = find(points);
+  ASSERT_TRUE(found.surface);
+  expectManifold(found.surface->mesh);
+  EXPECT_EQ(pointsOn(*found.surface), points.rows());
+  EXPECT_EQ(found.summary.components, 2);
+  EXPECT_EQ(found.summary.boundary_loops, 0);
 }
 
 TEST(CleanPoints, KeepSheetsApartThatAreNearlyAsCloseAsTheirPoints) {

@@ -23,11 +23,10 @@ class CutFaces {
       for (int k = 0; k < 4; ++k) {
         if (!inside[t] || inside[tetrahedra.beyond[t][k]]) continue;
         const std::array<int, 3> face = tetrahedra.face(t, k);
-        if (std::max({face[0], face[1], face[2]}) == points.rows()) continue;
-        if (isTooLong(points, spacing, face)) continue;
-        number_[4 * t + k] = static_cast<int>(sides_.size());
-        sides_.push_back(4 * t + k);
+        if (std::max({face[0], face[1], face[2]}) < points.rows()) sides_.push_back(4 * t + k);
       }
+    leaveOutLongFaces(points, spacing);
+    for (int f = 0; f < size(); ++f) number_[sides_[f]] = f;
   }
 
   int size() const { return static_cast<int>(sides_.size()); }
@@ -47,16 +46,40 @@ class CutFaces {
   }
 
  private:
-  /// The reach of the tangent-plane triangles.
-  static bool isTooLong(const Points& points,
-                        const Spacing& spacing,
-                        const std::array<int, 3>& face) {
-    double reach = 0, length = 0;
-    for (int k = 0; k < 3; ++k) {
-      reach = std::max(reach, 4 * spacing.at[face[k]]);
-      length = std::max(length, (points.row(face[k]) - points.row(face[(k + 1) % 3])).norm());
-    }
-    return length > reach;
+  /// Faces longer than the reach of the tangent-plane triangles bridge what has no points.
+  void leaveOutLongFaces(const Points& points, const Spacing& spacing) {
+    const std::vector<double> along = spacingAlong(points);
+    const auto isTooLong = [&](int side) {
+      const std::array<int, 3> face = tetrahedra_.face(side / 4, side % 4);
+      double h = 0, length = 0;
+      for (int k = 0; k < 3; ++k) {
+        h = std::max({h, spacing.at[face[k]], along[face[k]]});
+        length = std::max(length, (points.row(face[k]) - points.row(face[(k + 1) % 3])).norm());
+      }
+      return length > 4 * h;
+    };
+    sides_.erase(std::remove_if(sides_.begin(), sides_.end(), isTooLong), sides_.end());
+  }
+
+  /// Median edge of the faces at and next to each point. On thin parts the ball of nearest points,
+  /// which Spacing counts, holds both sheets.
+  std::vector<double> spacingAlong(const Points& points) const {
+    const auto medians = [&](const auto& valueAt) {
+      std::vector<std::vector<double>> values(points.rows());
+      for (int f = 0; f < size(); ++f) {
+        const std::array<int, 3> face = corners(f);
+        for (int k = 0; k < 3; ++k)
+          for (int end : {(k + 1) % 3, (k + 2) % 3})
+            values[face[k]].push_back(valueAt(face[k], face[end]));
+      }
+      std::vector<double> middle(values.size());
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (!values[i].empty()) middle[i] = median(std::move(values[i]));
+      return middle;
+    };
+    const std::vector<double> edges =
+        medians([&](int i, int j) { return (points.row(i) - points.row(j)).norm(); });
+    return medians([&](int, int j) { return edges[j]; });
   }
 
   int cornerOf(int t, int vertex) const {
