@@ -11,6 +11,7 @@
 #include <posture/mesh/handles.h>
 #include <posture/mesh/vertex_neighbors.h>
 
+#include "cut_clean_mesh.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -212,34 +213,6 @@ std::vector<int> weldedContacts(const TriangleMesh& mesh, int& contacts) {
   return welded;
 }
 
-/// The input without faces that touch the clean vertices.
-TriangleMesh without(const TriangleMesh& input,
-                     const CleanMesh& clean,
-                     const std::vector<int>& vertices) {
-  std::vector<char> gone(clean.mesh.vertices.rows(), 0);
-  for (int v : vertices) gone[v] = 1;
-  TriangleMesh cut{input.vertices, Faces(input.faces.rows(), 3)};
-  Eigen::Index kept = 0;
-  for (int f = 0; f < input.faces.rows(); ++f) {
-    const Eigen::RowVector3i face = input.faces.row(f);
-    const bool touches = std::any_of(face.data(), face.data() + 3, [&](int v) {
-      return clean.offset[v] == 0 && gone[clean.clean_vertex[v]];
-    });
-    if (!touches) cut.faces.row(kept++) = face;
-  }
-  cut.faces.conservativeResize(kept, 3);
-  return cut;
-}
-
-/// Nothing where too little was left.
-std::optional<CleanMesh> cleaned(const TriangleMesh& cut) {
-  try {
-    return cleanMesh(cut);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean) {
@@ -248,8 +221,8 @@ PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean) {
   int contacts = 0;
   const std::vector<int> welded = weldedContacts(clean.mesh, contacts);
   if (!welded.empty()) {
-    cut = without(cut, clean, welded);
-    std::optional<CleanMesh> rest = cleaned(cut);
+    cut = withoutVertices(cut, clean, welded);
+    std::optional<CleanMesh> rest = cleanRest(cut);
     if (!rest) return parted;
     parted = {std::move(*rest), contacts};
   }
@@ -269,8 +242,8 @@ PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean) {
       const std::vector<int> path = paths.shortest(place(i), place(i + 1));
       along.insert(along.end(), path.begin(), path.end());
     }
-    cut = without(cut, parted.clean, along);
-    std::optional<CleanMesh> rest = cleaned(cut);
+    cut = withoutVertices(cut, parted.clean, along);
+    std::optional<CleanMesh> rest = cleanRest(cut);
     if (!rest) break;
     parted = {std::move(*rest), parted.contacts + 1};
   }

@@ -15,8 +15,8 @@ struct PartedSurface {
 
 /// Contacts are looked for where the surface has a handle with a long way around: the narrowest
 /// ring of edges that opens it. Whether scanning made the handle or the body has it, and whether it
-/// is narrowest where it is grown together, is for the maps to tell. Ten handles are opened at most;
-/// a cut that would leave no surface is not made.
+/// is narrowest where it is grown together, is for the maps to tell. Ten handles are opened at
+/// most; a cut that would leave no surface is not made.
 PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean);
 
 }  // namespace posture

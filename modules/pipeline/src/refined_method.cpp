@@ -112,7 +112,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   });
 
   // Spectra and scale go astray where much is missing; surfaces laid over each other do not.
-  if (finalists.empty() || !convinces(finalists.front().score))
+  if (finalists.empty() || !convinces(finalists.front().score.total()))
     finalists = clock.stage("laying over", 0.05, [&] {
       return joined(std::move(finalists), layFinalists(source_coarse, target_coarse));
     });

@@ -3,42 +3,44 @@
 #include <posture/pipeline/register_shapes.h>
 #include <posture/refine/map_score.h>
 
+#include "attempts.h"
 #include "contacts.h"
+#include "pieces.h"
 #include "prepare.h"
 #include "published_method.h"
 #include "refined_method.h"
 #include "scan_side.h"
 #include "stage_clock.h"
+#include "verdict.h"
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace posture {
 namespace {
 
-RegistrationResult registerMeshes(const TriangleMesh& source,
-                                  const TriangleMesh& target,
-                                  const RegistrationOptions& options,
-                                  StageClock& clock) {
-  const auto [source_clean, target_clean] = clock.stage("cleaning", 0.02, [&] {
-    return std::pair(cleanSide("source", source), cleanSide("target", target));
-  });
-  clock.show([&, &a = source_clean, &b = target_clean] { return cleaningPictures(a, b); });
-  if (options.method == Method::PAPER)
-    return publishedMethod({source, source_clean}, {target, target_clean}, clock);
+/// Parts of a whole that a piece is compared with, in all.
+constexpr int MOST_PARTS = 4;
 
-  // Where a surface may be grown together with itself it is parted too: the better map tells.
+/// Registers the shapes as they are and, where a surface may be grown together with itself, parted:
+/// the better map tells.
+RegistrationResult registerWhole(const GivenShape& source,
+                                 const GivenShape& target,
+                                 const RegistrationOptions& options,
+                                 StageClock& clock) {
   const auto [source_parted, target_parted] = clock.stage("contacts", 0, [&] {
-    return std::pair(partedSurface(source, source_clean), partedSurface(target, target_clean));
+    return std::pair(partedSurface(source.input, source.clean),
+                     partedSurface(target.input, target.clean));
   });
   const bool parted = source_parted.contacts > 0 || target_parted.contacts > 0;
-  RegistrationResult result = clock.attempt("", parted ? 0.5 : 1, [&] {
-    return refinedMethod({source, source_clean}, {target, target_clean}, options, clock);
-  });
+  RegistrationResult result = clock.attempt(
+      "", parted ? 0.5 : 1, [&] { return refinedMethod(source, target, options, clock); });
   if (!parted) return result;
   try {
     RegistrationResult other =
         clock.attempt("parted", 0.5, [&, &a = source_parted.clean, &b = target_parted.clean] {
-          return refinedMethod({source, a}, {target, b}, options, clock);
+          return refinedMethod({source.input, a}, {target.input, b}, options, clock);
         });
     other.source.parted_contacts = source_parted.contacts;
     other.target.parted_contacts = target_parted.contacts;
@@ -47,6 +49,66 @@ RegistrationResult registerMeshes(const TriangleMesh& source,
     if (clock.isStopped()) throw;
   }
   return result;
+}
+
+/// What was found on a part of a surface, and all of it otherwise.
+ShapeSummary withPart(ShapeSummary whole, const ShapeSummary& part) {
+  whole.compared_share = part.area / whole.area;
+  whole.samples = part.samples;
+  whole.stress = part.stress;
+  return whole;
+}
+
+/// For shapes that do not look like one body: one may be a piece of the other. It is then
+/// registered with the parts of that one it resembles.
+void addPieceAttempts(const GivenShape& source,
+                      const GivenShape& target,
+                      const RegistrationOptions& options,
+                      StageClock& clock,
+                      std::vector<RegistrationResult>& attempts) {
+  std::vector<std::pair<CleanMesh, CleanMesh>> pairs = clock.stage("pieces", 0, [&] {
+    std::vector<std::pair<CleanMesh, CleanMesh>> found;
+    const bool source_may = mayBePiece(source.clean), target_may = mayBePiece(target.clean);
+    const int most = source_may && target_may ? MOST_PARTS / 2 : MOST_PARTS;
+    if (source_may)
+      for (CleanMesh& part : partsLike(source.clean, target, most))
+        found.emplace_back(source.clean, std::move(part));
+    if (target_may)
+      for (CleanMesh& part : partsLike(target.clean, source, most))
+        found.emplace_back(std::move(part), target.clean);
+    return found;
+  });
+  int number = 0;
+  for (const auto& [a, b] : pairs) {
+    try {
+      RegistrationResult attempt =
+          clock.attempt("piece-" + std::to_string(++number), 0, [&, &a = a, &b = b] {
+            return refinedMethod({source.input, a}, {target.input, b}, options, clock);
+          });
+      attempt.source = withPart(attempts.front().source, attempt.source);
+      attempt.target = withPart(attempts.front().target, attempt.target);
+      attempts.push_back(std::move(attempt));
+    } catch (const std::runtime_error&) {  // too little to work on
+      if (clock.isStopped()) throw;
+    }
+  }
+}
+
+RegistrationResult registerMeshes(const TriangleMesh& source_mesh,
+                                  const TriangleMesh& target_mesh,
+                                  const RegistrationOptions& options,
+                                  StageClock& clock) {
+  const auto [source_clean, target_clean] = clock.stage("cleaning", 0.02, [&] {
+    return std::pair(cleanSide("source", source_mesh), cleanSide("target", target_mesh));
+  });
+  clock.show([&, &a = source_clean, &b = target_clean] { return cleaningPictures(a, b); });
+  const GivenShape source{source_mesh, source_clean}, target{target_mesh, target_clean};
+  if (options.method == Method::PAPER) return publishedMethod(source, target, clock);
+
+  std::vector<RegistrationResult> attempts;
+  attempts.push_back(registerWhole(source, target, options, clock));
+  if (!looksAlike(attempts.front())) addPieceAttempts(source, target, options, clock, attempts);
+  return bestAttempt(std::move(attempts), target_mesh, options);
 }
 
 }  // namespace

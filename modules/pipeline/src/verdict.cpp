@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -58,13 +60,29 @@ double marginBefore(const RegistrationResult& result, const AlternativeSummary& 
   return other.score - result.alternatives[result.chosen].score;
 }
 
-bool convinces(const MapScore& score) { return score.total() < EVEN_SCORE; }
+bool convinces(double score) { return score < EVEN_SCORE; }
+
+bool looksAlike(const RegistrationResult& result) {
+  return result.chosen >= 0 && convinces(result.score);
+}
 
 double trustIn(const RegistrationResult& result) {
   const int rival = rivalOf(result);
   const double decision =
       rival < 0 ? 1 : decisionOf(marginBefore(result, result.alternatives[rival]));
   return likenessOf(result.score) * decision;
+}
+
+void addRival(AlternativeSummary rival, RegistrationResult& result) {
+  std::vector<AlternativeSummary>& all = result.alternatives;
+  const auto worse = std::find_if(
+      all.begin(), all.end(), [&](const auto& known) { return known.score > rival.score; });
+  if (worse - all.begin() <= result.chosen) ++result.chosen;
+  all.insert(worse, std::move(rival));
+  const double before = result.trust;
+  result.trust = trustIn(result);
+  if (before > 0) result.correspondence.confidence *= result.trust / before;
+  giveVerdict(result);
 }
 
 void giveVerdict(RegistrationResult& result) {

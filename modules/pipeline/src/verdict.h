@@ -26,7 +26,13 @@ double trustIn(const RegistrationResult& result);
 
 /// Whether a map scores as those between poses of one body do: it then needs no other kind of
 /// candidate beside it.
-bool convinces(const MapScore& score);
+bool convinces(double score);
+
+/// Whether the final map scores as those between poses of one body do.
+bool looksAlike(const RegistrationResult& result);
+
+/// Takes another answer in among the alternatives, and the trust that costs.
+void addRival(AlternativeSummary rival, RegistrationResult& result);
 
 /// Sets status and message from the trust.
 void giveVerdict(RegistrationResult& result);

@@ -181,6 +181,10 @@ std::string shapes(const RegistrationResult& result, const RunDescription& run) 
   count("Boundary edges", a.boundary_edges, b.boundary_edges);
   count("Contacts cut open", a.parted_contacts, b.parted_contacts);
   add("Area", formatShort(a.area), formatShort(b.area));
+  if (std::min(a.compared_share, b.compared_share) < 1)
+    add("Share of it compared, as the other side is a piece",
+        formatShort(a.compared_share),
+        formatShort(b.compared_share));
   add("Mean edge length", formatShort(a.mean_edge_length), formatShort(b.mean_edge_length));
   count("Samples", a.samples, b.samples);
   add("Stress of the canonical form", formatShort(a.stress), formatShort(b.stress));

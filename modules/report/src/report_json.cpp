@@ -67,6 +67,7 @@ Json describe(const std::string& file,
             {"boundary_edges", shape.boundary_edges},
             {"parted_contacts", shape.parted_contacts},
             {"area", number(shape.area)},
+            {"compared_share", number(shape.compared_share)},
             {"mean_edge_length", number(shape.mean_edge_length)}}},
           {"samples", shape.samples},
           {"canonical_form_stress", number(shape.stress)}};

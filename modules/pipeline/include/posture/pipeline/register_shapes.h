@@ -79,6 +79,7 @@ struct ShapeSummary {
   int boundary_edges = 0;
   int parted_contacts = 0;  ///< where it was taken for grown together with itself, and cut open
   double area = 0;  ///< of the main surface, in squared units of the input
+  double compared_share = 1;  ///< of the area: less where the other side was taken for a piece
   double mean_edge_length = 0;
   int samples = 0;
   double stress = 0;  ///< of the canonical form: sqrt(sum w (d - delta)^2 / sum w delta^2)

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/pipeline/register_shapes.h>
+
+#include <vector>
+
+namespace posture {
+
+/// Of several attempts at one pair, on different parts of it, the one that scores best, the first
+/// if none is better by more than scores vary. The best of the others that leads elsewhere is named
+/// among its alternatives. \pre  at least one.
+RegistrationResult bestAttempt(std::vector<RegistrationResult> attempts,
+                               const TriangleMesh& target,
+                               const RegistrationOptions& options);
+
+}  // namespace posture

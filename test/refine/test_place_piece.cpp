@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/refine/place_piece.h>
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+#include <stdexcept>
+
+namespace posture {
+namespace {
+
+/// A lump without any symmetry, about one across. Its points are those of finer and finer
+/// icosahedra: any prefix is spread evenly, more or less.
+Points lump() {
+  Points points = test::sphere(3).vertices.topRows(300);
+  for (auto p : points.rowwise())
+    p = Eigen::RowVector3d(0.5 * p.x() + 0.2 * p.y() * p.y() + 0.1 * p.z(),
+                           0.3 * p.y() + 0.1 * p.x() * p.z(),
+                           0.2 * p.z() + 0.1 * p.x() * p.y());
+  return points;
+}
+
+/// Of the points, those around the first one.
+std::vector<int> partOf(const Points& points, double reach) {
+  std::vector<int> part;
+  for (int v = 0; v < points.rows(); ++v)
+    if ((points.row(v) - points.row(0)).norm() < reach) part.push_back(v);
+  return part;
+}
+
+TEST(PlacePiece, findsAPieceOfAnySizeWhereItCameFrom) {
+  const Points whole = lump();
+  const std::vector<int> part = partOf(whole, 0.3);
+  ASSERT_GT(part.size(), 30);
+  ASSERT_LT(part.size(), 110);
+  for (const double size : {1.0, 2.6}) {
+    const Matrix piece = size * test::pairwise(whole(part, Eigen::all));
+    const std::vector<PiecePlace> places = placePiece(piece, test::pairwise(whole), 3);
+    ASSERT_FALSE(places.empty());
+    EXPECT_EQ(places.front().sample, part);
+    EXPECT_NEAR(places.front().scale * size, 1, 1e-9);
+    EXPECT_LT(places.front().misfit, 1e-9);
+  }
+}
+
+TEST(PlacePiece, ranksDifferentPlacesByMisfit) {
+  const Points whole = lump();
+  const Matrix piece = test::pairwise(whole(partOf(whole, 0.3), Eigen::all));
+  const std::vector<PiecePlace> places = placePiece(piece, test::pairwise(whole), 5);
+  ASSERT_GT(places.size(), 1);
+  ASSERT_LE(places.size(), 5);
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    EXPECT_GE(places[i].misfit, places[i - 1].misfit);
+    EXPECT_NE(places[i].sample, places[0].sample);
+  }
+  EXPECT_GT(places[1].misfit, 0.01);
+}
+
+TEST(PlacePiece, fitsNoLongLineIntoABall) {
+  Points line = Points::Zero(40, 3);
+  for (int i = 0; i < 40; ++i) line(i, 0) = 0.5 * (7 * i % 40);
+  for (const PiecePlace& place :
+       placePiece(test::pairwise(line), test::pairwise(test::sphere(2).vertices), 3))
+    EXPECT_GT(place.misfit, 0.1);
+}
+
+TEST(PlacePiece, refusesTablesItCannotUse) {
+  EXPECT_THROW(placePiece(Matrix::Zero(3, 3), Matrix::Zero(9, 9), 1), std::invalid_argument);
+  EXPECT_THROW(placePiece(Matrix::Zero(9, 8), Matrix::Zero(9, 9), 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace posture
