@@ -118,6 +118,7 @@ class Placer {
                                      off(scale, 1, 2, q[1], q[2])});
           found.push_back(current);
         }
+        if (found.size() > 8 * FIRST_LOOKS_A_SCALE) keepBest(FIRST_LOOKS_A_SCALE, found);
       }
     keepBest(FIRST_LOOKS_A_SCALE, found);
     return found;
