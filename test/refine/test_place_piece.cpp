@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
+#include <limits>
 #include <stdexcept>
 
 namespace posture {
@@ -68,6 +69,10 @@ TEST(PlacePiece, fitsNoLongLineIntoABall) {
 TEST(PlacePiece, refusesTablesItCannotUse) {
   EXPECT_THROW(placePiece(Matrix::Zero(3, 3), Matrix::Zero(9, 9), 1), std::invalid_argument);
   EXPECT_THROW(placePiece(Matrix::Zero(9, 8), Matrix::Zero(9, 9), 1), std::invalid_argument);
+  EXPECT_THROW(placePiece(Matrix::Zero(9, 9), Matrix::Ones(9, 9), 1), std::invalid_argument);
+  Matrix apart = Matrix::Ones(9, 9);
+  apart(2, 5) = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(placePiece(Matrix::Ones(9, 9), apart, 1), std::invalid_argument);
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ bool mayBePiece(const CleanMesh& surface) {
 std::vector<CleanMesh> partsLike(const CleanMesh& piece, const GivenShape& whole, int most) {
   const Sampled small(piece, PIECE_SAMPLES), large(whole.clean, WHOLE_SAMPLES);
   if (std::min(small.distances.rows(), large.distances.rows()) < LEAST_SAMPLES) return {};
-  if (!small.distances.allFinite() || !large.distances.allFinite()) return {};
+  if (!small.distances.allFinite() || !large.distances.allFinite()) return {};  // no way between
   std::vector<std::vector<char>> parts;
   std::vector<CleanMesh> cut;
   for (const PiecePlace& place : placePiece(small.distances, large.distances, PLACES)) {

@@ -39,10 +39,10 @@ struct Try {
   double misfit = 0;
 };
 
-/// The `most` of least misfit, in order; of equal ones those that were found first.
+/// The `most` of least misfit, in order; of equal ones the smaller scale, then those found first.
 void keepBest(std::size_t most, std::vector<Try>& tries) {
   const auto better = [](const Try& a, const Try& b) {
-    return std::tie(a.misfit, a.at) < std::tie(b.misfit, b.at);
+    return std::tie(a.misfit, a.scale, a.at) < std::tie(b.misfit, b.scale, b.at);
   };
   const auto kept = static_cast<std::ptrdiff_t>(std::min(most, tries.size()));
   std::partial_sort(tries.begin(), tries.begin() + kept, tries.end(), better);
@@ -213,6 +213,8 @@ std::vector<PiecePlace> placePiece(const Matrix& piece, const Matrix& whole, int
   require(piece.rows() == piece.cols() && whole.rows() == whole.cols() &&
               std::min(piece.rows(), whole.rows()) >= ANCHORS,
           "placePiece: square tables of at least four samples");
+  require(piece.allFinite() && whole.allFinite() && piece.maxCoeff() > 0,
+          "placePiece: distances that are not finite, or none at all");
   const Placer placer(piece, whole);
   const int scales =
       1 + static_cast<int>(std::log(MOST_SCALE / LEAST_SCALE) / std::log(SCALE_STEP));

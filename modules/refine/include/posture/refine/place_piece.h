@@ -21,7 +21,8 @@ struct PiecePlace {
 /// distances in turn. Different places only, by increasing misfit, at most `most`.
 /// \param piece, whole  s x s and t x t, geodesic distances between samples of which any prefix is
 ///        spread evenly; each shape in square roots of its area.
-/// \pre  at least four samples each.
+/// \throws std::invalid_argument  fewer than four samples, a distance that is not finite, a piece
+///         all at one place.
 std::vector<PiecePlace> placePiece(const Matrix& piece, const Matrix& whole, int most);
 
 }  // namespace posture
