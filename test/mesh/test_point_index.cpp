@@ -89,6 +89,19 @@ TEST(PointIndex, findsSeveralNearOnesFirst) {
   EXPECT_EQ(index.nearest(query, 1000).size(), 300u);
 }
 
+TEST(PointIndex, answersWhatIsOutOfTheReachOfSinglePrecision) {
+  Points points(3, 3);
+  points << 0, 0, 0, 2, 0, 0, 0, 0, 1;
+  const PointIndex index(points);
+  for (const double far : {1e6, 1e20, 1e60, 1e300}) {
+    const PointIndex::Neighbor nearest = index.nearest({far, 0, -0.1 * far});
+    EXPECT_EQ(nearest.index, 1) << far;  // of the three the one on that side
+    EXPECT_NEAR(nearest.distance / far, std::sqrt(1.01), 5e-3);
+    EXPECT_EQ(index.within({far, 0, 0}, 2 * far).size(), 3u);
+    EXPECT_TRUE(index.within({far, 0, 0}, 0.5 * far).empty());
+  }
+}
+
 TEST(PointIndex, refusesNoPoints) { EXPECT_THROW(PointIndex(Points(0, 3)), std::invalid_argument); }
 
 }  // namespace

@@ -24,7 +24,8 @@ class PointIndex {
   PointIndex(PointIndex&&) noexcept;
   PointIndex& operator=(PointIndex&&) noexcept;
 
-  /// May be called from several threads. \pre  the query is finite.
+  /// May be called from several threads. From farther than a thousand times the extent of the
+  /// points, which is nearest and how far is good to a thousandth. \pre  the query is finite.
   Neighbor nearest(const Eigen::Vector3d& query) const;
 
   /// The nearest \p count points (all, where there are fewer), near ones first; likewise.
