@@ -152,6 +152,9 @@ TEST_F(Benchmark, SaysWhatItCannotUse) {
   const auto unknown = benchmark({"--family", "cat"});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("no family 'cat'"));
+  const auto nothing = benchmark({"--family", "strip", "--pair", "points"});
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_THAT(nothing.err, HasSubstr("no pair asked for is of a family asked for"));
   std::ofstream(folder_ / "pairs.csv") << "id,source\na,b\n";
   const auto broken = benchmark();
   EXPECT_EQ(broken.exit_code, 3);
