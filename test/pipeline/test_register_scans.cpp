@@ -22,6 +22,8 @@ using testing::StartsWith;
 
 const std::filesystem::path SCANS = std::filesystem::path(DATA_DIR) / "scans";
 
+constexpr int FAR_OFF = 7000;
+
 /// The bundled pair of raw scans, registered once.
 struct Registered {
   Shape source = readShape(SCANS / "human-pose0-scan.pcd");
@@ -32,6 +34,8 @@ struct Registered {
     // As an organised cloud has them: points that were not seen.
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (int i : {0, 100, 5000}) source.cloud.points.row(i).setConstant(nan);
+    // As a broken file has it.
+    source.cloud.points.row(FAR_OFF) << 1e300, -1e30, 0;
     result = registerShapes(
         source, target, {}, [this](const StageEvent& event) { progress = event.progress; });
   }
@@ -63,6 +67,12 @@ TEST(RegisterScans, aPairOfRawScansGoesToTheRightPlaces) {
   const double miss = meanMiss("human-pose0-pose6-scan.txt");
   EXPECT_LT(miss, 0.03);
   EXPECT_GT(meanMiss("human-pose0-pose6-scan-mirror.txt"), 5 * miss);
+}
+
+TEST(RegisterScans, aPointFarOffHasNoPlace) {
+  const RegistrationResult& result = registered().result;
+  EXPECT_LT(result.source_scan->on_mesh[FAR_OFF].vertex, 0);
+  EXPECT_LT(result.correspondence.on_target[FAR_OFF].vertex, 0);
 }
 
 TEST(RegisterScans, progressComesToOne) {

@@ -6,6 +6,7 @@
 #include <posture/mesh/normals.h>
 #include <posture/scan/reconstruct.h>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -289,19 +290,35 @@ TEST_P(ReconstructTorus, DoesNotDependOnTheOrderOfThePoints) {
   EXPECT_EQ(given.mesh.faces, reversed.mesh.faces);
 }
 
-TEST_P(ReconstructTorus, WorksInAnyUnitAndFarFromTheOrigin) {
+TEST_P(ReconstructTorus, TurnsMovesAndScalesWithThePoints) {
   const Points points = torus(3000, 0.3);
   const ScanSurface given = reconstructed(points);
-  for (const double unit : {std::exp2(-30), std::exp2(30)}) {
-    const ScanSurface scaled = reconstructed(unit * points);
-    EXPECT_EQ(scaled.mesh.faces, given.mesh.faces);
-    EXPECT_NEAR(scaled.summary.spacing / unit, given.summary.spacing, 1e-9);
+  const Eigen::RowVector3d way(3, -1, 2);
+  for (const double unit : {1e-9, 1.0, 3e9}) {
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(1 + unit, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
+    const auto moved = [&](const Points& p) -> Points {
+      return unit * ((p * turn).rowwise() + way);
+    };
+    const ScanSurface surface = reconstructed(moved(points));
+    ASSERT_EQ(surface.mesh.faces, given.mesh.faces);
+    const Points off = (surface.mesh.vertices - moved(given.mesh.vertices)) / unit;
+    EXPECT_LT(off.cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_NEAR(surface.summary.spacing / unit, given.summary.spacing, 1e-9);
   }
-  const Eigen::RowVector3d far_away(1e6, -3e6, 2e6);
-  const ScanSurface moved = reconstructed(points.rowwise() + far_away);
-  expectManifold(moved.mesh);
-  EXPECT_EQ(eulerCharacteristic(moved.mesh), 0);
-  EXPECT_EQ(moved.summary.boundary_loops, 0);
+}
+
+TEST_P(ReconstructTorus, WorksFarFromTheOriginAndBesideFarOutliers) {
+  const Points points = torus(3000, 0.3);
+  const Points far_away = points.rowwise() + Eigen::RowVector3d(1e6, -3e6, 2e6);
+  Points outliers(2, 3);
+  outliers << 1e12, 3e5, -2e7, -1e300, 4, 1e200;
+  for (const Points& given : {far_away, test::joined(points, outliers)}) {
+    const ScanSurface surface = reconstructed(given);
+    expectManifold(surface.mesh);
+    EXPECT_EQ(eulerCharacteristic(surface.mesh), 0);
+    EXPECT_EQ(surface.summary.boundary_loops, 0);
+  }
 }
 
 TEST(Reconstruct, RefusesWhatIsNoSurface) {

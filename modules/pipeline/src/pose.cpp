@@ -3,9 +3,7 @@
 #include "pose.h"
 
 #include <posture/mesh/edges.h>
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
+#include <posture/mesh/moment_axes.h>
 
 #include <algorithm>
 #include <array>
@@ -40,20 +38,7 @@ Pose poseOf(const TriangleMesh& mesh, double unit) {
   pose.unit = unit;
   pose.center = area.transpose() * middles / area.sum();
   middles.rowwise() -= pose.center;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(middles.transpose() *
-                                                              area.asDiagonal() * middles);
-  pose.axes = solver.eigenvectors();
-  // A rotation leaves two of the signs free; the two clearest third moments set them.
-  const Points along = middles * pose.axes;
-  const Eigen::Vector3d skewness =
-      (area.transpose() * along.array().cube().matrix())
-          .transpose()
-          .cwiseQuotient(solver.eigenvalues().cwiseMax(1e-300).array().pow(1.5).matrix());
-  int least = 0;
-  skewness.cwiseAbs().minCoeff(&least);
-  for (int k = 0; k < 3; ++k)
-    if (k != least && skewness[k] < 0) pose.axes.col(k) *= -1;
-  if (pose.axes.determinant() < 0) pose.axes.col(least) *= -1;
+  pose.axes = momentAxes(middles, area);
   return pose;
 }
 

@@ -8,24 +8,27 @@
 
 namespace posture {
 
-/// Centre and scale in which a scan is worked on: single precision suffices there.
-struct WorkingFrame {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  double unit = 1;  ///< a power of two: scaling changes no digit
+/// A frame and a unit of length of a scan's own: the origin in the middle of the points, the axes
+/// those of their second moments. Far outliers move it hardly.
+struct ScanFrame {
+  Eigen::RowVector3d center = Eigen::RowVector3d::Zero();
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns; a rotation
+  double unit = 1;  ///< median distance of the points from the centre
 
   Points toWorking(const Points& points) const;
   Points toCloud(const Points& points) const;
 };
 
-/// The different finite points of a cloud in its working frame. They are sorted along a
-/// space-filling curve: near points are near in memory, and the order in which they were given
-/// is forgotten.
+/// The different finite points of a cloud in its own frame, rounded to a grid far below any noise
+/// and sorted along a space-filling curve: near points are near in memory, and how the scan was
+/// turned, moved, scaled and ordered is forgotten.
 struct DistinctPoints {
-  WorkingFrame frame;
+  ScanFrame frame;
   Points points;           ///< m x 3
   std::vector<int> input;  ///< m: the first row of the cloud at this place
-  std::vector<int> place;  ///< row of the cloud -> its point here; -1: not finite
+  std::vector<int> place;  ///< row of the cloud -> its point here; -1: not finite, or far off
   int missing = 0;         ///< rows that are not finite
+  int far = 0;             ///< different ones a billion times the body's size away
   int repeated = 0;        ///< finite rows at the place of another
 };
 

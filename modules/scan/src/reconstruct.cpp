@@ -67,7 +67,7 @@ void placePoints(const PointCloud& cloud, const std::vector<char>& belongs, Scan
   });
 }
 
-void toCloudFrame(const WorkingFrame& frame, ScanSurface& surface) {
+void toCloudFrame(const ScanFrame& frame, ScanSurface& surface) {
   surface.mesh.vertices = frame.toCloud(surface.mesh.vertices);
   ReconstructionSummary& summary = surface.summary;
   for (double* length :
@@ -123,7 +123,8 @@ ScanSurface reconstruct(const PointCloud& cloud, const ReconstructionOptions& op
   summary.missing = distinct.missing;
   summary.repeated = distinct.repeated;
 
-  const OutsideHints hints = outsideHints(cloud, distinct.input);
+  OutsideHints hints = outsideHints(cloud, distinct.input);
+  hints.directions *= distinct.frame.axes;
   std::optional<PointSurface> clean;
   if (options.surface == SurfaceMethod::TANGENT_DELAUNAY)
     clean = surfaceOfCleanPoints(distinct.points, hints, summary);
@@ -131,6 +132,7 @@ ScanSurface reconstruct(const PointCloud& cloud, const ReconstructionOptions& op
     joinCleanPoints(cloud, distinct, std::move(*clean), surface);
   else
     layThroughNoise(cloud, distinct, hints, options.surface, surface);
+  summary.outliers += distinct.far;
   warn(summary);
   return surface;
 }
