@@ -31,16 +31,13 @@ void Moments::add(const Moments& other) {
 
 Matrix3d Moments::covariance() const { return product_ - posed_ * rest_.transpose() / weight_; }
 
-double Moments::inertia() const {
-  return std::max(0.0, rest_squared_ - rest_.squaredNorm() / weight_);
-}
-
 double Moments::misfit() const {
   const Matrix3d m = covariance();
   const Vector3d s = Eigen::JacobiSVD<Matrix3d>(m).singularValues();
   const double aligned = s[0] + s[1] + (m.determinant() < 0 ? -s[2] : s[2]);
-  const double posed_inertia = posed_squared_ - posed_.squaredNorm() / weight_;
-  return std::max(0.0, inertia() + posed_inertia - 2 * aligned);
+  const double rest_spread = rest_squared_ - rest_.squaredNorm() / weight_,
+               posed_spread = posed_squared_ - posed_.squaredNorm() / weight_;
+  return std::max(0.0, rest_spread + posed_spread - 2 * aligned);
 }
 
 Eigen::Isometry3d Moments::motion() const {

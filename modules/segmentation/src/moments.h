@@ -13,9 +13,7 @@ class Moments {
   void add(const Eigen::Vector3d& rest, const Eigen::Vector3d& posed, double weight);
   void add(const Moments& other);
 
-  double weight() const { return weight_; }
-  double misfit() const;   ///< weighted sum of squared distances under the best rigid motion
-  double inertia() const;  ///< weighted sum of squared distances from the centroid, at rest
+  double misfit() const;  ///< weighted sum of squared distances under the best rigid motion
   Eigen::Isometry3d motion() const;  ///< Kabsch 1976
 
  private:

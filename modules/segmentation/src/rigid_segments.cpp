@@ -7,6 +7,7 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
+#include "joint.h"
 #include "moments.h"
 #include "otsu.h"
 #include <algorithm>
@@ -14,7 +15,6 @@
 #include <map>
 #include <numeric>
 #include <queue>
-#include <set>
 #include <tuple>
 
 namespace posture {
@@ -50,13 +50,14 @@ int countJoined(int things, const Join& join) {
 
 /// A set of faces and how it moves.
 struct Cluster {
+  Mass mass;                     // at rest
   std::vector<Moments> moments;  // one a pose
   double misfit = 0;             // of all poses
   int faces = 1;
-  std::set<int> adjacent;
+  std::map<int, Border> adjacent;
   int version = 0;
 
-  double area() const { return moments.front().weight(); }
+  double area() const { return mass.area(); }
 };
 
 double misfitOf(const std::vector<Moments>& moments) {
@@ -76,13 +77,9 @@ double mergingCost(const Cluster& a, const Cluster& b) {
   return std::max(0.0, sum - a.misfit - b.misfit);
 }
 
-/// The turn of two clusters against each other, in radians.
-double turnOf(const Cluster& a, const Cluster& b, double cost) {
-  const Cluster& smaller = a.area() < b.area() ? a : b;
-  const double gyration_sq = smaller.moments.front().inertia() / smaller.area();
-  const double moved_sq =
-      cost / static_cast<double>(a.moments.size()) * (1 / a.area() + 1 / b.area());
-  return gyration_sq > 0 ? 0.5 * std::sqrt(moved_sq / gyration_sq) : 0;
+/// The turn of two clusters against each other, in radians: root mean square over the poses.
+double turnOf(const Cluster& a, const Cluster& b, const Border& border, double cost) {
+  return turnOf(a.mass, b.mass, border.middle(), cost / static_cast<double>(a.moments.size()));
 }
 
 /// Whether the cost of moving two clusters as one is what noise makes. Twelve numbers fitted to
@@ -108,13 +105,15 @@ class Clustering {
     for (int f = 0; f < rest.faces.rows(); ++f) {
       Cluster& cluster = clusters_[f];
       cluster.moments.resize(poses.size());
-      for (std::size_t k = 0; k < poses.size(); ++k)
-        for (int c = 0; c < 3; ++c)
-          cluster.moments[k].add(
-              rest.vertices.row(rest.faces(f, c)), poses[k].row(rest.faces(f, c)), areas[f] / 3);
+      for (int c = 0; c < 3; ++c) {
+        const Vector3d from = rest.vertices.row(rest.faces(f, c)),
+                       to = rest.vertices.row(rest.faces(f, (c + 1) % 3));
+        cluster.mass.add(from, areas[f] / 3);
+        for (std::size_t k = 0; k < poses.size(); ++k)
+          cluster.moments[k].add(from, poses[k].row(rest.faces(f, c)), areas[f] / 3);
+        if (across(f, c) >= 0) cluster.adjacent[across(f, c)].add(from, to);
+      }
       cluster.misfit = misfitOf(cluster.moments);
-      for (int c = 0; c < 3; ++c)
-        if (across(f, c) >= 0) cluster.adjacent.insert(across(f, c));
       total_area_ += areas[f];
     }
   }
@@ -122,19 +121,23 @@ class Clustering {
   /// The turns between adjacent patches, each a set of faces.
   std::vector<double> turnsBetween(const std::vector<int>& patch_of_face, int patches) const {
     std::vector<Cluster> patch(patches);
-    std::set<std::pair<int, int>> pairs;
+    std::map<std::pair<int, int>, Border> borders;
     for (std::size_t f = 0; f < clusters_.size(); ++f) {
       Cluster& own = patch[patch_of_face[f]];
+      own.mass.add(clusters_[f].mass);
       if (own.moments.empty()) own.moments.resize(clusters_[f].moments.size());
       for (std::size_t k = 0; k < own.moments.size(); ++k)
         own.moments[k].add(clusters_[f].moments[k]);
-      for (int g : clusters_[f].adjacent)
-        if (patch_of_face[g] > patch_of_face[f]) pairs.emplace(patch_of_face[f], patch_of_face[g]);
+      for (const auto& [g, border] : clusters_[f].adjacent)
+        if (patch_of_face[g] > patch_of_face[f])
+          borders[{patch_of_face[f], patch_of_face[g]}].add(border);
     }
     for (Cluster& p : patch) p.misfit = misfitOf(p.moments);
     std::vector<double> turns;
-    for (const auto& [a, b] : pairs)
-      turns.push_back(turnOf(patch[a], patch[b], mergingCost(patch[a], patch[b])));
+    for (const auto& [pair, border] : borders) {
+      const Cluster &a = patch[pair.first], &b = patch[pair.second];
+      turns.push_back(turnOf(a, b, border, mergingCost(a, b)));
+    }
     return turns;
   }
 
@@ -148,7 +151,7 @@ class Clustering {
       queue.push({std::max(cost, rounding), cost, a, b, one.version, other.version});
     };
     for (int f = 0; f < static_cast<int>(clusters_.size()); ++f)
-      for (int g : clusters_[f].adjacent)
+      for (const auto& [g, border] : clusters_[f].adjacent)
         if (f < g) push(f, g);
     while (merges_left_ >= count && !queue.empty()) {
       const Candidate best = queue.top();
@@ -157,7 +160,7 @@ class Clustering {
           clusters_[best.b].version != best.version_b)
         continue;
       merge(best.a, best.b, best.cost);
-      for (int g : clusters_[best.a].adjacent) push(best.a, g);
+      for (const auto& [g, border] : clusters_[best.a].adjacent) push(best.a, g);
     }
   }
 
@@ -166,12 +169,12 @@ class Clustering {
       Candidate best;
       for (int a = 0; a < static_cast<int>(clusters_.size()); ++a) {
         if (into_[a] != a) continue;
-        for (int b : clusters_[a].adjacent) {
+        for (const auto& [b, border] : clusters_[a].adjacent) {
           if (b < a) continue;
           const double cost = mergingCost(clusters_[a], clusters_[b]);
           const bool small =
               std::min(clusters_[a].area(), clusters_[b].area()) < LEAST_SHARE * total_area_;
-          if ((small || turnOf(clusters_[a], clusters_[b], cost) < turn ||
+          if ((small || turnOf(clusters_[a], clusters_[b], border, cost) < turn ||
                isNoise(clusters_[a], clusters_[b], cost)) &&
               (best.a < 0 || cost < best.cost))
             best = {cost, cost, a, b, 0, 0};
@@ -214,14 +217,15 @@ class Clustering {
 
   void merge(int a, int b, double cost) {
     Cluster &kept = clusters_[a], &gone = clusters_[b];
+    kept.mass.add(gone.mass);
     for (std::size_t k = 0; k < kept.moments.size(); ++k) kept.moments[k].add(gone.moments[k]);
     kept.misfit += gone.misfit + cost;
     kept.faces += gone.faces;
-    for (int g : gone.adjacent) {
+    for (const auto& [g, border] : gone.adjacent) {
       clusters_[g].adjacent.erase(b);
       if (g == a) continue;
-      clusters_[g].adjacent.insert(a);
-      kept.adjacent.insert(g);
+      clusters_[g].adjacent[a].add(border);
+      kept.adjacent[g].add(border);
     }
     gone.adjacent.clear();
     ++kept.version;
