@@ -176,6 +176,51 @@ TEST(RegisterShapes, everyInputVertexHasARow) {
             result.correspondence.on_target[7].vertex);
 }
 
+TEST(RegisterShapes, holesAreClosedForTheSearchAndHaveNoRow) {
+  BodyOptions options;
+  options.vertices = 1500;
+  options.holes = 8;
+  options.hole_radius = 0.05;
+  const ArticulatedBody source = makeBody(options);
+  options.pose = 2;
+  options.tessellation = 1;
+  const ArticulatedBody target = makeBody(options);
+  RegistrationOptions both;
+  both.both_ways = true;
+  const RegistrationResult result = registerShapes(source.mesh, target.mesh, both);
+  EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
+  EXPECT_GE(result.source.patched_holes, 4);
+  EXPECT_GE(result.target.patched_holes, 4);
+  EXPECT_EQ(result.source.vertices, source.mesh.vertices.rows());
+  EXPECT_EQ(result.target.faces, target.mesh.faces.rows());
+  EXPECT_GT(result.source.boundary_edges, 0);
+  EXPECT_EQ(result.deformed.rows(), source.mesh.vertices.rows());
+  ASSERT_TRUE(result.back);
+  const auto expectOn =
+      [](const Correspondence& map, const TriangleMesh& from, const TriangleMesh& to) {
+        ASSERT_EQ(map.on_target.size(), from.vertices.rows());
+        ASSERT_EQ(map.confidence.size(), from.vertices.rows());
+        for (std::size_t v = 0; v < map.on_target.size(); ++v) {
+          const SurfacePoint& place = map.on_target[v];
+          EXPECT_LT(place.vertex, to.vertices.rows());
+          EXPECT_LT(place.face, to.faces.rows());
+          EXPECT_EQ(place.vertex < 0, map.confidence[static_cast<int>(v)] == 0);
+          if (place.vertex < 0) continue;
+          EXPECT_NEAR(place.barycentric.sum(), 1, 1e-9);
+        }
+      };
+  expectOn(result.correspondence, source.mesh, target.mesh);
+  expectOn(result.back->correspondence, target.mesh, source.mesh);
+  for (const AlternativeSummary& alternative : result.alternatives) {
+    EXPECT_EQ(alternative.target_vertex.size(), source.mesh.vertices.rows());
+    for (int v : alternative.target_vertex) EXPECT_LT(v, target.mesh.vertices.rows());
+  }
+  EXPECT_LT(
+      meanError(
+          verticesOf(result.correspondence), groundTruth(source, target), result, target.mesh),
+      0.02);
+}
+
 TEST(RegisterShapes, isTheSameWithAnyNumberOfThreads) {
   const TriangleMesh source = body(0).mesh, target = body(1, 1).mesh;
   const int threads = omp_get_max_threads();

@@ -5,6 +5,7 @@
 
 #include "attempts.h"
 #include "contacts.h"
+#include "patched_shape.h"
 #include "pieces.h"
 #include "prepare.h"
 #include "published_method.h"
@@ -48,6 +49,23 @@ RegistrationResult registerWhole(const GivenShape& source,
   } catch (const std::runtime_error&) {  // too little is left to work on
     if (clock.isStopped()) throw;
   }
+  return result;
+}
+
+/// The same on surfaces whose holes are closed where they may be.
+RegistrationResult registerPatched(const GivenShape& source,
+                                   const GivenShape& target,
+                                   const RegistrationOptions& options,
+                                   StageClock& clock) {
+  const auto [source_patched, target_patched] = clock.stage("holes", 0.01, [&] {
+    return std::pair(withPatches(source.input, source.clean),
+                     withPatches(target.input, target.clean));
+  });
+  RegistrationResult result = registerWhole({source_patched.input, source_patched.clean},
+                                            {target_patched.input, target_patched.clean},
+                                            options,
+                                            clock);
+  leaveOutPatches(source, source_patched, target, target_patched, result);
   return result;
 }
 
@@ -106,7 +124,7 @@ RegistrationResult registerMeshes(const TriangleMesh& source_mesh,
   if (options.method == Method::PAPER) return publishedMethod(source, target, clock);
 
   std::vector<RegistrationResult> attempts;
-  attempts.push_back(registerWhole(source, target, options, clock));
+  attempts.push_back(registerPatched(source, target, options, clock));
   if (!looksAlike(attempts.front())) addPieceAttempts(source, target, options, clock, attempts);
   return bestAttempt(std::move(attempts), target_mesh, options);
 }

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "patched_shape.h"
+
+#include <posture/mesh/edges.h>
+#include <posture/mesh/hole_patches.h>
+
+#include "pose.h"
+#include "verdict.h"
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace posture {
+namespace {
+
+/// For the vertices of patches the nearest vertex of the input they have an edge with; -1: none.
+std::vector<int> rimVertices(const TriangleMesh& input, const TriangleMesh& patched) {
+  const auto n = static_cast<int>(input.vertices.rows());
+  const auto count = static_cast<int>(patched.vertices.rows()) - n;
+  std::vector<int> nearest(count, -1);
+  std::vector<double> distance(count, std::numeric_limits<double>::infinity());
+  for (auto f = input.faces.rows(); f < patched.faces.rows(); ++f)
+    for (int c = 0; c < 3; ++c)
+      for (const int other : {patched.faces(f, (c + 1) % 3), patched.faces(f, (c + 2) % 3)}) {
+        const int i = patched.faces(f, c) - n;
+        if (i < 0 || other >= n) continue;
+        const double d = (patched.vertices.row(n + i) - patched.vertices.row(other)).norm();
+        if (d >= distance[i]) continue;
+        distance[i] = d;
+        nearest[i] = other;
+      }
+  return nearest;
+}
+
+/// Places and vertices on a side with patches, on the side without.
+class WithoutPatches {
+ public:
+  WithoutPatches(const TriangleMesh& input, const PatchedShape& patched)
+      : vertices_(static_cast<int>(input.vertices.rows())),
+        faces_(input.faces),
+        face_of_(vertexFaces(input.faces, vertices_)),
+        rim_(rimVertices(input, patched.input)) {}
+
+  int vertex(int v) const { return v < vertices_ ? v : rim_[v - vertices_]; }
+
+  /// A place on a patch is moved to the vertex next to it.
+  SurfacePoint place(const SurfacePoint& given) const {
+    if (given.vertex < 0 || (given.vertex < vertices_ && given.face < faces_.rows())) return given;
+    SurfacePoint at;
+    at.vertex = vertex(given.vertex);
+    if (at.vertex < 0) return at;
+    at.face = face_of_[at.vertex];
+    for (int c = 0; c < 3 && at.face >= 0; ++c)
+      at.barycentric[c] = faces_(at.face, c) == at.vertex ? 1 : 0;
+    return at;
+  }
+
+  void trimRows(Correspondence& correspondence) const {
+    correspondence.on_target.resize(vertices_);
+    correspondence.confidence.conservativeResize(vertices_);
+  }
+
+  void trimPlaces(Correspondence& correspondence) const {
+    for (std::size_t v = 0; v < correspondence.on_target.size(); ++v) {
+      correspondence.on_target[v] = place(correspondence.on_target[v]);
+      if (correspondence.on_target[v].vertex < 0)
+        correspondence.confidence[static_cast<Eigen::Index>(v)] = 0;
+    }
+  }
+
+  int vertexCount() const { return vertices_; }
+
+ private:
+  int vertices_;
+  const Faces& faces_;
+  std::vector<int> face_of_, rim_;
+};
+
+void trim(const WithoutPatches& rows,
+          const WithoutPatches& places,
+          Correspondence& correspondence) {
+  if (correspondence.on_target.empty()) return;
+  rows.trimRows(correspondence);
+  places.trimPlaces(correspondence);
+}
+
+/// What was given, and what was done with it.
+ShapeSummary summaryWithout(const GivenShape& given, int holes, const ShapeSummary& patched) {
+  ShapeSummary summary = summarize(given);
+  summary.patched_holes = holes;
+  summary.parted_contacts = patched.parted_contacts;
+  summary.compared_share = patched.compared_share;
+  summary.samples = patched.samples;
+  summary.stress = patched.stress;
+  return summary;
+}
+
+}  // namespace
+
+PatchedShape withPatches(const TriangleMesh& input, const CleanMesh& clean) {
+  // In a frame and an order of its own, so that the patches do not depend on those it came in.
+  const Pose pose = poseOf(clean.mesh, 1 / std::sqrt(faceAreas(clean.mesh).sum()));
+  const CleanMesh ordered = inOrder(clean, pose);
+  const HolePatches patches = patchHoles(posed(ordered.mesh, pose));
+  PatchedShape patched{input, clean, patches.holes};
+  if (patches.holes == 0) return patched;
+  const auto n = input.vertices.rows(), m = input.faces.rows();
+  const auto of_clean = static_cast<int>(clean.mesh.vertices.rows());
+  patched.input.vertices.conservativeResize(n + patches.vertices.rows(), 3);
+  patched.input.vertices.bottomRows(patches.vertices.rows()) = pose.outOf(patches.vertices);
+  patched.input.faces.conservativeResize(m + patches.faces.rows(), 3);
+  for (Eigen::Index f = 0; f < patches.faces.rows(); ++f)
+    for (int c = 0; c < 3; ++c) {
+      const int v = patches.faces(f, c);
+      patched.input.faces(m + f, c) =
+          v < of_clean ? ordered.input_vertex[v] : static_cast<int>(n) + v - of_clean;
+    }
+  patched.clean = cleanMesh(patched.input);
+  return patched;
+}
+
+void leaveOutPatches(const GivenShape& source,
+                     const PatchedShape& source_patched,
+                     const GivenShape& target,
+                     const PatchedShape& target_patched,
+                     RegistrationResult& result) {
+  if (source_patched.holes == 0 && target_patched.holes == 0) return;
+  const WithoutPatches on_source(source.input, source_patched),
+      on_target(target.input, target_patched);
+  trim(on_source, on_target, result.correspondence);
+  result.deformed.conservativeResize(on_source.vertexCount(), 3);
+  if (result.back) trim(on_target, on_source, result.back->correspondence);
+  for (AlternativeSummary& alternative : result.alternatives) {
+    trim(on_source, on_target, alternative.correspondence);
+    if (alternative.target_vertex.empty()) continue;
+    alternative.target_vertex.resize(on_source.vertexCount());
+    for (int& v : alternative.target_vertex)
+      if (v >= 0) v = on_target.vertex(v);
+  }
+  result.source = summaryWithout(source, source_patched.holes, result.source);
+  result.target = summaryWithout(target, target_patched.holes, result.target);
+  if (result.status == Status::REGISTERED) result.message = mappedMessage(result);
+}
+
+}  // namespace posture

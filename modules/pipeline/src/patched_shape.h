@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "given_shape.h"
+
+namespace posture {
+
+/// A side whose holes are closed where the surface goes on across them: distances and spectra are
+/// then those of the body, not of what was seen of it. The vertices and faces of the input come
+/// first, those of the patches follow.
+struct PatchedShape {
+  TriangleMesh input;
+  CleanMesh clean;
+  int holes = 0;  ///< that were closed
+};
+
+PatchedShape withPatches(const TriangleMesh& input, const CleanMesh& clean);
+
+/// Takes the patches out of a result: their vertices have no row, and what lies on one by more than
+/// an edge has no counterpart.
+/// \param source, target  as they came, without patches.
+void leaveOutPatches(const GivenShape& source,
+                     const PatchedShape& source_patched,
+                     const GivenShape& target,
+                     const PatchedShape& target_patched,
+                     RegistrationResult& result);
+
+}  // namespace posture
