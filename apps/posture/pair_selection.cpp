@@ -29,7 +29,8 @@ bool PairSelection::has(const BenchmarkPair& pair) const {
 void PairSelection::check(const std::vector<BenchmarkPair>& pairs) const {
   checkKnown(families, pairs, &BenchmarkPair::family, "family");
   checkKnown(ids, pairs, &BenchmarkPair::id, "pair");
-  if (std::none_of(pairs.begin(), pairs.end(), [&](const auto& pair) { return has(pair); }))
+  if (!empty() &&
+      std::none_of(pairs.begin(), pairs.end(), [&](const auto& pair) { return has(pair); }))
     throw CLI::ValidationError("no pair asked for is of a family asked for");
 }
 

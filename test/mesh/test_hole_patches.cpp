@@ -113,6 +113,41 @@ TEST(HolePatches, CloseAHoleOfOneFace) {
   EXPECT_EQ(boundaryEdges(patched(sphere, patchHoles(sphere))), 0);
 }
 
+/// A plate with a round hole of radius 1 that long thin faces lead to.
+TEST(HolePatches, DoNotOvershootBesideLongFaces) {
+  constexpr int RIM = 48;
+  for (const double reach : {2.0, 10.0, 50.0}) {
+    TriangleMesh plate;
+    plate.vertices.resize(2 * RIM, 3);
+    plate.faces.resize(2 * RIM, 3);
+    for (int i = 0; i < RIM; ++i) {
+      const double angle = 2 * M_PI * i / RIM;
+      const int j = (i + 1) % RIM;
+      plate.vertices.row(i) << std::cos(angle), std::sin(angle), 0;
+      // Corners far apart: every third point is at one place with its neighbours.
+      const double corner = 2 * M_PI * (i / 12) * 12 / RIM;
+      plate.vertices.row(RIM + i) << reach * std::cos(corner) + 1e-3 * i,
+          reach * std::sin(corner) + 1e-3 * i, 0;
+      plate.faces.row(2 * i) << i, RIM + i, j;
+      plate.faces.row(2 * i + 1) << j, RIM + i, RIM + j;
+    }
+    const HolePatches patches = patchHoles(plate);
+    if (patches.holes == 0) continue;
+    EXPECT_LT(faceAreas(patched(plate, patches)).sum() - faceAreas(plate).sum(), 3 * M_PI);
+  }
+}
+
+TEST(HolePatches, CloseNoCutsThatAreNotHoles) {
+  // A fin on a sphere: its edge on the sphere has three faces, its own border is none of a hole.
+  TriangleMesh mesh = test::sphere(3);
+  const auto n = mesh.vertices.rows(), m = mesh.faces.rows();
+  mesh.vertices.conservativeResize(n + 1, 3);
+  mesh.vertices.row(n) = 1.3 * mesh.vertices.row(mesh.faces(0, 0));
+  mesh.faces.conservativeResize(m + 1, 3);
+  mesh.faces.row(m) << mesh.faces(0, 0), mesh.faces(0, 1), static_cast<int>(n);
+  EXPECT_EQ(patchHoles(mesh).holes, 0);
+}
+
 TEST(HolePatches, HoldHolesThatTouchAtAVertex) {
   // Two stars that share a vertex of their rims.
   TriangleMesh sheet = test::grid(20, 20, 1, 1);

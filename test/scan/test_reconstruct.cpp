@@ -327,6 +327,8 @@ TEST(Reconstruct, RefusesWhatIsNoSurface) {
   EXPECT_EQ(refusal(Points::Constant(100, 3, std::numeric_limits<double>::infinity())),
             "has no point with finite coordinates");
   EXPECT_EQ(refusal(Points::Constant(100, 3, 2)), "has all its points at one place");
+  EXPECT_EQ(refusal(1.5e308 * test::spherePoints(100, 0)),
+            "has coordinates too large to compute with");
   EXPECT_EQ(refusal(test::spherePoints(2, 0)), "has only 2 different points: a surface takes 32");
   Points line(1000, 3);
   for (int i = 0; i < 1000; ++i) line.row(i) << i, 2.0 * i, 0.1 * i;

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/core/error.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/half_edge_mesh.h>
 #include <posture/mesh/hole_patches.h>
@@ -12,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace posture {
@@ -48,17 +48,14 @@ void joinRings(const std::vector<double>& outer,
   }
 }
 
-Disc discFor(const std::vector<double>& rim_angles) {
+Disc discFor(const std::vector<double>& rim_angles, int rings) {
   const int k = static_cast<int>(rim_angles.size());
-  // The borders of fine sheets have thousands of edges.
-  constexpr int MOST_RINGS = 64;
-  const int rings = std::min(static_cast<int>(std::lround(k / (2 * M_PI))), MOST_RINGS);
   Disc disc;
   disc.vertices = k;
   std::vector<double> outer = rim_angles;
   int first_outer = 0;
   for (int ring = 1; ring < rings; ++ring) {
-    const int count = std::max(3, static_cast<int>(std::lround(2 * M_PI * (rings - ring))));
+    const int count = static_cast<int>(std::lround(2 * M_PI * (rings - ring)));
     std::vector<double> inner(count);
     for (int i = 0; i < count; ++i) inner[i] = 2 * M_PI * i / count;
     joinRings(outer, first_outer, inner, disc.vertices, disc.faces);
@@ -107,7 +104,7 @@ class Patch {
       rim_length_ += edge(i).norm();
     }
     for (double& angle : angles) angle *= 2 * M_PI / std::max(rim_length_, 1e-300);
-    disc_ = discFor(angles);
+    disc_ = discFor(angles, ringCount());
     places_ = Points::Zero(disc_.vertices, 3);
     for (int i = 0; i < k_; ++i) places_.row(i) = mesh.vertices.row(rim_[i]);
     solve(false);
@@ -120,18 +117,34 @@ class Patch {
       for (int c = 0; c < 3; ++c) {
         const int i = face[c], j = face[(c + 1) % 3];
         if (i >= k_ || j != (i + 1) % k_) continue;
-        const RowVector3d film =
-            normal(places_.row(face[0]), places_.row(face[1]), places_.row(face[2]));
+        const RowVector3d film = unitOrZero(
+            areaVector(places_.row(face[0]), places_.row(face[1]), places_.row(face[2])));
         sum += edge(i).norm() * film.dot(normalBeside(i));
       }
     return rim_length_ > 0 ? sum / rim_length_ : -1;
   }
 
-  void goOnSmoothly() { solve(true); }
+  /// Goes on from the surface as smoothly as it can; stays a film where that overshoots, as beside
+  /// long thin faces.
+  void goOnSmoothly() {
+    const Points film = places_;
+    solve(true);
+    double area = 0, film_area = 0, turned = 0;
+    for (const auto& [a, b, c] : disc_.faces) {
+      const RowVector3d was = areaVector(film.row(a), film.row(b), film.row(c)),
+                        is = areaVector(places_.row(a), places_.row(b), places_.row(c));
+      area += is.norm();
+      film_area += was.norm();
+      if (is.dot(was) < 0) turned += is.norm();
+    }
+    constexpr double MOST_GROWTH = 3, MOST_TURNED = 0.25;
+    if (!(area < MOST_GROWTH * film_area) || turned > MOST_TURNED * area) places_ = film;
+  }
 
   double rimLength() const { return rim_length_; }
 
   /// The new vertices.
+  std::size_t size() const { return static_cast<std::size_t>(disc_.vertices - k_); }
   Points vertices() const { return places_.bottomRows(disc_.vertices - k_); }
 
   /// Faces between vertices on the rim and new ones.
@@ -146,10 +159,21 @@ class Patch {
     return mesh_.vertices.row(half_edges_.origin(h)) - mesh_.vertices.row(half_edges_.target(h));
   }
 
-  static RowVector3d normal(const RowVector3d& a, const RowVector3d& b, const RowVector3d& c) {
-    const RowVector3d n = (b - a).cross(c - a);
-    const double length = n.norm();
-    return length > 0 ? RowVector3d(n / length) : RowVector3d(0, 0, 0);
+  /// Normal, as long as twice the area.
+  static RowVector3d areaVector(const RowVector3d& a, const RowVector3d& b, const RowVector3d& c) {
+    return (b - a).cross(c - a);
+  }
+
+  static RowVector3d unitOrZero(const RowVector3d& v) {
+    const double length = v.norm();
+    return length > 0 ? RowVector3d(v / length) : RowVector3d(0, 0, 0);
+  }
+
+  /// As in a circle of k edges.
+  int ringCount() const {
+    // The borders of fine sheets have thousands of edges.
+    constexpr double MOST = 64;
+    return static_cast<int>(std::lround(std::min(k_ / (2 * M_PI), MOST)));
   }
 
   /// Of the surface at edge i of the rim: its faces at both ends, by area. One face is mostly
@@ -159,16 +183,13 @@ class Patch {
     for (int v : {rim_[i], rim_[(i + 1) % k_]})
       for (int h : half_edges_.star(v)) {
         const auto at = [&](int g) { return mesh_.vertices.row(half_edges_.origin(g)); };
-        const RowVector3d a = at(h), b = at(HalfEdgeMesh::next(h)),
-                          c = at(HalfEdgeMesh::previous(h));
-        sum += (b - a).cross(c - a);
+        sum += areaVector(at(h), at(HalfEdgeMesh::next(h)), at(HalfEdgeMesh::previous(h)));
       }
-    const double length = sum.norm();
-    return length > 0 ? RowVector3d(sum / length) : sum;
+    return unitOrZero(sum);
   }
 
-  /// Umbrellas (a vertex less the mean of its neighbours) of the new vertices vanish, or, with
-  /// those of the rim, which know the surface around, are least in square.
+  /// Umbrellas (a vertex less the mean of its neighbours) of the new vertices vanish; or those of
+  /// the rim as well, which know the surface around, are least in square.
   void solve(bool with_rim) {
     const int unknowns = disc_.vertices - k_;
     if (unknowns == 0) return;
@@ -182,12 +203,12 @@ class Patch {
     std::vector<RowVector3d> right;
     for (int v = with_rim ? 0 : k_; v < disc_.vertices; ++v) {
       const int row = static_cast<int>(right.size());
-      RowVector3d known = RowVector3d::Zero();
-      std::vector<int> around;  // of the mesh, off the rim's own edges
+      std::vector<int> around;  // of the mesh, but for the rim's own edges
       if (v < k_)
         for (int w : half_edges_.neighbors(rim_[v]))
           if (w != rim_[(v + 1) % k_] && w != rim_[(v + k_ - 1) % k_]) around.push_back(w);
       const double share = 1.0 / static_cast<double>(neighbors[v].size() + around.size());
+      RowVector3d known = RowVector3d::Zero();
       for (int w : around) known += share * mesh_.vertices.row(w);
       const auto add = [&](int w, double factor) {
         if (w < k_)
@@ -206,8 +227,8 @@ class Patch {
       given.row(static_cast<Eigen::Index>(i)) = right[i];
     const Eigen::SparseMatrix<double> normal = umbrellas.transpose() * umbrellas;
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(normal);
-    require(solver.info() == Eigen::Success, "patchHoles: a patch does not hang together");
-    places_.bottomRows(unknowns) = solver.solve(umbrellas.transpose() * given);
+    if (solver.info() == Eigen::Success)
+      places_.bottomRows(unknowns) = solver.solve(umbrellas.transpose() * given);
   }
 
   const TriangleMesh& mesh_;
@@ -229,13 +250,22 @@ HolePatches patchHoles(const TriangleMesh& mesh) {
   const auto n = static_cast<int>(mesh.vertices.rows());
   const HalfEdgeMesh half_edges(cut.mesh.faces, copies);
   const double short_rim = SHORT * std::sqrt(faceAreas(mesh).sum());
+  std::set<std::pair<int, int>> border;  // other cuts are no holes
+  for (const Edge& e : meshEdges(mesh.faces))
+    if (e.faces == 1) border.emplace(e.first, e.second);
+  const auto isBorder = [&](int h) {
+    return border.count(std::minmax(cut.original_vertex[half_edges.origin(h)],
+                                    cut.original_vertex[half_edges.target(h)])) > 0;
+  };
   HolePatches patches;
   std::vector<RowVector3d> vertices;
   std::vector<std::array<int, 3>> faces;
   for (const std::vector<int>& hole : holesOf(half_edges)) {
-    if (hole.size() < 3) continue;
+    if (hole.size() < 3 || !std::all_of(hole.begin(), hole.end(), isBorder)) continue;
     Patch patch(cut.mesh, half_edges, hole);
     if (patch.rimLength() > short_rim && patch.smoothness() < LEAST_SMOOTHNESS) continue;
+    // Cracks everywhere: closing them would double the mesh.
+    if (vertices.size() + patch.size() > static_cast<std::size_t>(n)) continue;
     patch.goOnSmoothly();
     const auto first = n + static_cast<int>(vertices.size());
     const Points inside = patch.vertices();

@@ -14,6 +14,9 @@ namespace posture {
 struct GivenShape {
   const TriangleMesh& input;
   const CleanMesh& clean;
+  int patch_vertices = 0;  ///< the last so many of the input belong to patches
+
+  int ownVertices() const { return static_cast<int>(input.vertices.rows()) - patch_vertices; }
 };
 
 /// What cleaning tells of a side; samples and stress are left to the method.

@@ -147,8 +147,9 @@ class Placing {
         target_normals_(vertexNormals(target.input)),
         target_face_(
             vertexFaces(target.input.faces, static_cast<int>(target.input.vertices.rows()))),
-        whole_(target.input, [](int) { return true; }),
-        free_(target.input, [claimed = claimed()](int v) { return !claimed[v]; }),
+        whole_(target.input, [&](int v) { return v < target.ownVertices(); }),
+        free_(target.input,
+              [&, claimed = claimed()](int v) { return v < target.ownVertices() && !claimed[v]; }),
         main_(source.input.vertices, source.clean) {}
 
   void place(const std::vector<int>& piece) {
@@ -216,7 +217,7 @@ class Placing {
   std::vector<char> claimed() const {
     const Points& deformed = result_.deformed;
     std::vector<int> mapped;
-    for (int v = 0; v < deformed.rows(); ++v)
+    for (int v = 0; v < source_.ownVertices(); ++v)
       if (!(source_.clean.offset[v] > 0) && result_.correspondence.on_target[v].vertex >= 0)
         mapped.push_back(v);
     std::vector<char> claimed(target_.input.vertices.rows(), 0);

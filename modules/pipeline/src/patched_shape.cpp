@@ -7,6 +7,8 @@
 
 #include "pose.h"
 #include "verdict.h"
+#include "way_back.h"
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -86,12 +88,25 @@ void trim(const WithoutPatches& rows,
   places.trimPlaces(correspondence);
 }
 
+/// Whether the faces of a surface look the other way after patches were added.
+bool isTurnedRound(const CleanMesh& before, const CleanMesh& after) {
+  std::array<int, 3> face{};
+  for (int c = 0; c < 3; ++c)
+    face[c] = after.clean_vertex[before.input_vertex[before.mesh.faces(0, c)]];
+  for (const auto& f : after.mesh.faces.rowwise())
+    for (int c = 0; c < 3; ++c)
+      if (f[c] == face[0]) {
+        if (f[(c + 1) % 3] == face[1] && f[(c + 2) % 3] == face[2]) return false;
+        if (f[(c + 1) % 3] == face[2] && f[(c + 2) % 3] == face[1]) return true;
+      }
+  return false;
+}
+
 /// What was given, and what was done with it.
 ShapeSummary summaryWithout(const GivenShape& given, int holes, const ShapeSummary& patched) {
   ShapeSummary summary = summarize(given);
   summary.patched_holes = holes;
   summary.parted_contacts = patched.parted_contacts;
-  summary.compared_share = patched.compared_share;
   summary.samples = patched.samples;
   summary.stress = patched.stress;
   return summary;
@@ -104,7 +119,7 @@ PatchedShape withPatches(const TriangleMesh& input, const CleanMesh& clean) {
   const Pose pose = poseOf(clean.mesh, 1 / std::sqrt(faceAreas(clean.mesh).sum()));
   const CleanMesh ordered = inOrder(clean, pose);
   const HolePatches patches = patchHoles(posed(ordered.mesh, pose));
-  PatchedShape patched{input, clean, patches.holes};
+  PatchedShape patched{input, clean, static_cast<int>(patches.vertices.rows()), patches.holes};
   if (patches.holes == 0) return patched;
   const auto n = input.vertices.rows(), m = input.faces.rows();
   const auto of_clean = static_cast<int>(clean.mesh.vertices.rows());
@@ -118,6 +133,9 @@ PatchedShape withPatches(const TriangleMesh& input, const CleanMesh& clean) {
           v < of_clean ? ordered.input_vertex[v] : static_cast<int>(n) + v - of_clean;
     }
   patched.clean = cleanMesh(patched.input);
+  // Closed, it may have been turned outwards; the other side may still be open and as it was.
+  if (isTurnedRound(clean, patched.clean))
+    patched.clean.mesh.faces.col(1).swap(patched.clean.mesh.faces.col(2));
   return patched;
 }
 
@@ -131,7 +149,10 @@ void leaveOutPatches(const GivenShape& source,
       on_target(target.input, target_patched);
   trim(on_source, on_target, result.correspondence);
   result.deformed.conservativeResize(on_source.vertexCount(), 3);
-  if (result.back) trim(on_target, on_source, result.back->correspondence);
+  if (result.back) {
+    trim(on_target, on_source, result.back->correspondence);
+    measureMiss(source, target.input, result.correspondence, *result.back);
+  }
   for (AlternativeSummary& alternative : result.alternatives) {
     trim(on_source, on_target, alternative.correspondence);
     if (alternative.target_vertex.empty()) continue;

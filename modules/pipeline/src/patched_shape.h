@@ -12,7 +12,10 @@ namespace posture {
 struct PatchedShape {
   TriangleMesh input;
   CleanMesh clean;
-  int holes = 0;  ///< that were closed
+  int vertices = 0;  ///< of the patches
+  int holes = 0;     ///< that were closed
+
+  GivenShape given() const { return {input, clean, vertices}; }
 };
 
 PatchedShape withPatches(const TriangleMesh& input, const CleanMesh& clean);

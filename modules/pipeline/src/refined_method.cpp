@@ -63,8 +63,10 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   const Pose target_pose = poseOf(target_cleaned.clean.mesh, 1 / rootArea(target_cleaned));
   const CleanMesh source_ordered = inOrder(source_cleaned.clean, source_pose);
   const CleanMesh target_ordered = inOrder(target_cleaned.clean, target_pose);
-  const GivenShape source_given{source_cleaned.input, source_ordered};
-  const GivenShape target_given{target_cleaned.input, target_ordered};
+  const GivenShape source_given{
+      source_cleaned.input, source_ordered, source_cleaned.patch_vertices};
+  const GivenShape target_given{
+      target_cleaned.input, target_ordered, target_cleaned.patch_vertices};
   RefinedShape source, target;
 
   // Evenly spread subsets of the vertices: all with all can be compared on them.
@@ -132,7 +134,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   const auto refine = [&](const std::vector<const Finalist*>& chosen) {
     return refineFinalists(source, target, chosen).front();
   };
-  const RefinedMap best = clock.stage("refinement", 0.28, [&] {
+  const RefinedMap best = clock.stage("refinement", 0.27, [&] {
     std::vector<const Finalist*> leading;
     for (const Finalist& f : finalists)
       if (leading.size() < REFINED_FINALISTS) leading.push_back(&f);

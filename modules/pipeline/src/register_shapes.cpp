@@ -41,7 +41,10 @@ RegistrationResult registerWhole(const GivenShape& source,
   try {
     RegistrationResult other =
         clock.attempt("parted", 0.5, [&, &a = source_parted.clean, &b = target_parted.clean] {
-          return refinedMethod({source.input, a}, {target.input, b}, options, clock);
+          return refinedMethod({source.input, a, source.patch_vertices},
+                               {target.input, b, target.patch_vertices},
+                               options,
+                               clock);
         });
     other.source.parted_contacts = source_parted.contacts;
     other.target.parted_contacts = target_parted.contacts;
@@ -61,10 +64,8 @@ RegistrationResult registerPatched(const GivenShape& source,
     return std::pair(withPatches(source.input, source.clean),
                      withPatches(target.input, target.clean));
   });
-  RegistrationResult result = registerWhole({source_patched.input, source_patched.clean},
-                                            {target_patched.input, target_patched.clean},
-                                            options,
-                                            clock);
+  RegistrationResult result =
+      registerWhole(source_patched.given(), target_patched.given(), options, clock);
   leaveOutPatches(source, source_patched, target, target_patched, result);
   return result;
 }
@@ -74,6 +75,8 @@ ShapeSummary withPart(ShapeSummary whole, const ShapeSummary& part) {
   whole.compared_share = part.area / whole.area;
   whole.samples = part.samples;
   whole.stress = part.stress;
+  whole.patched_holes = part.patched_holes;
+  whole.parted_contacts = part.parted_contacts;
   return whole;
 }
 

@@ -34,6 +34,8 @@ std::optional<Eigen::RowVector3d> leadsTo(const SurfacePoint& place,
   return positionOf(source, nearest);
 }
 
+}  // namespace
+
 void measureMiss(const GivenShape& source,
                  const TriangleMesh& target,
                  const Correspondence& there,
@@ -52,8 +54,6 @@ void measureMiss(const GivenShape& source,
   std::nth_element(miss.begin(), at_95, miss.end());
   back.percentile_95_miss = *at_95 / size;
 }
-
-}  // namespace
 
 WayBack wayBack(const PosedSide& source,
                 const PosedSide& target,

@@ -23,4 +23,10 @@ WayBack wayBack(const PosedSide& source,
                 const FullMap& there,
                 const RegistrationResult& result);
 
+/// How well both ways agree, into the way back.
+void measureMiss(const GivenShape& source,
+                 const TriangleMesh& target,
+                 const Correspondence& there,
+                 WayBack& back);
+
 }  // namespace posture

@@ -75,7 +75,9 @@ ScanFrame roughFrame(const Points& points) {
     std::nth_element(values.begin(), values.begin() + most, values.end());
     extent = std::max(extent, values[most]);
   }
-  if (extent > 0 && std::isfinite(extent)) frame.unit = std::exp2(std::round(std::log2(extent)));
+  constexpr double LARGEST = 1e300;
+  if (!(extent < LARGEST)) throw InputError("has coordinates too large to compute with");
+  if (extent > 0) frame.unit = std::exp2(std::round(std::log2(extent)));
   return frame;
 }
 

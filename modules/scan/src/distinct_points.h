@@ -29,7 +29,7 @@ struct DistinctPoints {
   std::vector<int> place;  ///< row of the cloud -> its point here; -1: not finite, or far off
   int missing = 0;         ///< rows that are not finite
   int far = 0;             ///< different ones a billion times the body's size away
-  int repeated = 0;        ///< finite rows at the place of another
+  int repeated = 0;        ///< finite rows at the place of another, to the grid
 };
 
 /// \throws InputError  no finite point, all at one place, fewer than 32 different ones.

@@ -25,13 +25,14 @@ class PointIndex {
   PointIndex& operator=(PointIndex&&) noexcept;
 
   /// May be called from several threads. From farther than a thousand times the extent of the
-  /// points, which is nearest and how far is good to a thousandth. \pre  the query is finite.
+  /// points, which is nearest and how far is good to half a percent. \pre  the query is finite.
   Neighbor nearest(const Eigen::Vector3d& query) const;
 
   /// The nearest \p count points (all, where there are fewer), near ones first; likewise.
   std::vector<Neighbor> nearest(const Eigen::Vector3d& query, int count) const;
 
-  /// All points closer than \p radius, in increasing order; by rounding perhaps some beyond.
+  /// All points closer than \p radius, in increasing order; by rounding perhaps some beyond,
+  /// from far off (above) by half a percent of the way.
   std::vector<int> within(const Eigen::Vector3d& query, double radius) const;
 
  private:

@@ -66,7 +66,7 @@ struct AlternativeSummary {
   double score = 0;
   double gap = 0;                  ///< mean distance from the chosen answer, over sqrt(area)
   std::vector<int> target_vertex;  ///< per source vertex as given, to the spacing of the coarse
-                                   ///< meshes
+                                   ///< meshes; -1: in a hole of the target
   Correspondence correspondence;   ///< at full precision; empty unless alternatives are refined
 };
 
