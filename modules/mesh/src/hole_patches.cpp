@@ -277,6 +277,7 @@ HolePatches patchHoles(const TriangleMesh& mesh) {
                                                  : first + patch.rowOf(face[c]);
     }
     ++patches.holes;
+    patches.rim_length += patch.rimLength();
   }
   patches.vertices.resize(static_cast<Eigen::Index>(vertices.size()), 3);
   for (std::size_t i = 0; i < vertices.size(); ++i)

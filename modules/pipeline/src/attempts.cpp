@@ -36,6 +36,12 @@ double gapBetween(const RegistrationResult& x,
 
 }  // namespace
 
+bool isSameAnswer(const RegistrationResult& x,
+                  const RegistrationResult& y,
+                  const TriangleMesh& target) {
+  return gapBetween(x, y, target, std::sqrt(x.target.area)) < SAME_ANSWER;
+}
+
 RegistrationResult bestAttempt(std::vector<RegistrationResult> attempts,
                                const TriangleMesh& target,
                                const RegistrationOptions& options) {

@@ -8,6 +8,11 @@
 
 namespace posture {
 
+/// Whether two attempts at one pair lead to the same places, as far as samples tell.
+bool isSameAnswer(const RegistrationResult& x,
+                  const RegistrationResult& y,
+                  const TriangleMesh& target);
+
 /// Of several attempts at one pair, on different parts of it, the one that scores best, the first
 /// if none is better by more than scores vary. The best of the others that leads elsewhere is named
 /// among its alternatives. \pre  at least one.

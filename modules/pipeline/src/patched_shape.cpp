@@ -119,7 +119,8 @@ PatchedShape withPatches(const TriangleMesh& input, const CleanMesh& clean) {
   const Pose pose = poseOf(clean.mesh, 1 / std::sqrt(faceAreas(clean.mesh).sum()));
   const CleanMesh ordered = inOrder(clean, pose);
   const HolePatches patches = patchHoles(posed(ordered.mesh, pose));
-  PatchedShape patched{input, clean, static_cast<int>(patches.vertices.rows()), patches.holes};
+  PatchedShape patched{
+      input, clean, static_cast<int>(patches.vertices.rows()), patches.holes, patches.rim_length};
   if (patches.holes == 0) return patched;
   const auto n = input.vertices.rows(), m = input.faces.rows();
   const auto of_clean = static_cast<int>(clean.mesh.vertices.rows());

@@ -14,6 +14,7 @@ struct PatchedShape {
   CleanMesh clean;
   int vertices = 0;  ///< of the patches
   int holes = 0;     ///< that were closed
+  double rims = 0;   ///< length of their rims, over the square root of the area
 
   GivenShape given() const { return {input, clean, vertices}; }
 };

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/refine/map_score.h>
 
@@ -13,6 +14,7 @@
 #include "scan_side.h"
 #include "stage_clock.h"
 #include "verdict.h"
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -29,18 +31,20 @@ constexpr int MOST_PARTS = 4;
 RegistrationResult registerWhole(const GivenShape& source,
                                  const GivenShape& target,
                                  const RegistrationOptions& options,
+                                 double portion,
                                  StageClock& clock) {
   const auto [source_parted, target_parted] = clock.stage("contacts", 0, [&] {
     return std::pair(partedSurface(source.input, source.clean),
                      partedSurface(target.input, target.clean));
   });
   const bool parted = source_parted.contacts > 0 || target_parted.contacts > 0;
-  RegistrationResult result = clock.attempt(
-      "", parted ? 0.5 : 1, [&] { return refinedMethod(source, target, options, clock); });
+  RegistrationResult result = clock.attempt("", parted ? portion / 2 : portion, [&] {
+    return refinedMethod(source, target, options, clock);
+  });
   if (!parted) return result;
   try {
-    RegistrationResult other =
-        clock.attempt("parted", 0.5, [&, &a = source_parted.clean, &b = target_parted.clean] {
+    RegistrationResult other = clock.attempt(
+        "parted", portion / 2, [&, &a = source_parted.clean, &b = target_parted.clean] {
           return refinedMethod({source.input, a, source.patch_vertices},
                                {target.input, b, target.patch_vertices},
                                options,
@@ -55,19 +59,48 @@ RegistrationResult registerWhole(const GivenShape& source,
   return result;
 }
 
-/// The same on surfaces whose holes are closed where they may be.
+/// The map found with closed holes, which drifts less, with the verdict found without: patches
+/// differ from pose to pose and blur what tells answers apart.
+RegistrationResult joined(RegistrationResult judged, RegistrationResult patched) {
+  if (patched.trust > 0) patched.correspondence.confidence *= judged.trust / patched.trust;
+  judged.correspondence = std::move(patched.correspondence);
+  judged.deformed = std::move(patched.deformed);
+  judged.back = std::move(patched.back);
+  judged.scale = patched.scale;
+  judged.source.patched_holes = patched.source.patched_holes;
+  judged.target.patched_holes = patched.target.patched_holes;
+  giveVerdict(judged);
+  return judged;
+}
+
+/// The same, and where there are holes to speak of once more with those closed that may be.
 RegistrationResult registerPatched(const GivenShape& source,
                                    const GivenShape& target,
                                    const RegistrationOptions& options,
                                    StageClock& clock) {
+  constexpr double MANY_RIMS = 0.5;
   const auto [source_patched, target_patched] = clock.stage("holes", 0.01, [&] {
     return std::pair(withPatches(source.input, source.clean),
                      withPatches(target.input, target.clean));
   });
-  RegistrationResult result =
-      registerWhole(source_patched.given(), target_patched.given(), options, clock);
-  leaveOutPatches(source, source_patched, target, target_patched, result);
-  return result;
+  const bool matters = std::max(source_patched.rims, target_patched.rims) > MANY_RIMS;
+  RegistrationResult result = registerWhole(source, target, options, matters ? 0.5 : 1, clock);
+  if (!matters) return result;
+  try {
+    RegistrationResult patched =
+        clock.attempt("patched", 0.5, [&, &a = source_patched, &b = target_patched] {
+          return refinedMethod(a.given(), b.given(), options, clock);
+        });
+    leaveOutPatches(source, source_patched, target, target_patched, patched);
+    if (result.chosen >= 0 && patched.chosen >= 0 && isSameAnswer(result, patched, target.input))
+      return joined(std::move(result), std::move(patched));
+    std::vector<RegistrationResult> attempts;
+    attempts.push_back(std::move(result));
+    attempts.push_back(std::move(patched));
+    return bestAttempt(std::move(attempts), target.input, options);
+  } catch (const InputError&) {  // the surface as it is was enough to work on
+    return result;
+  }
 }
 
 /// What was found on a part of a surface, and all of it otherwise.

@@ -8,9 +8,10 @@ namespace posture {
 
 /// Surface for the holes of a mesh.
 struct HolePatches {
-  Points vertices;  ///< new ones, numbered after those of the mesh
-  Faces faces;      ///< oriented as those of the mesh
-  int holes = 0;    ///< that got a patch
+  Points vertices;        ///< new ones, numbered after those of the mesh
+  Faces faces;            ///< oriented as those of the mesh
+  int holes = 0;          ///< that got a patch
+  double rim_length = 0;  ///< of these, in all
 };
 
 /// Patches for the holes that may be closed: those with a rim shorter than half the square root of
