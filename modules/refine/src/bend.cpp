@@ -5,6 +5,7 @@
 
 #include "belief.h"
 #include "functional_map.h"
+#include "grouped_nearest.h"
 #include "joint_nearest.h"
 #include <cmath>
 #include <utility>
@@ -53,7 +54,7 @@ VertexMaps nearestMaps(const SpectralSurface& a,
       normalsOf(b, poses_b.bent, normal_weight), normalsOf(b, poses_b.own, normal_weight);
   reduceDimensions(joint_a, joint_b, NEAREST_DIMENSIONS);
   VertexMaps found;
-  nearestBothWays(joint_a, joint_b, found.forward, found.backward);
+  nearestAmongGroups(joint_a, joint_b, found.forward, found.backward);
   return found;
 }
 
@@ -90,7 +91,7 @@ VertexMaps spreadToVertices(const SpectralSurface& a,
   joint_b << fb * c.ba, fb;
   reduceDimensions(joint_a, joint_b, NEAREST_DIMENSIONS);
   VertexMaps maps;
-  nearestBothWays(joint_a, joint_b, maps.forward, maps.backward);
+  nearestAmongGroups(joint_a, joint_b, maps.forward, maps.backward);
   return maps;
 }
 

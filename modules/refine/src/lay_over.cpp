@@ -9,6 +9,7 @@
 
 #include "belief.h"
 #include "functional_map.h"
+#include "grouped_nearest.h"
 #include "joint_nearest.h"
 #include <algorithm>
 #include <cmath>
@@ -162,7 +163,7 @@ VertexMaps nearestInBothPoses(const BendableSurface& a,
   fb << pair.bent_b.cast<float>(), b.mesh.vertices.cast<float>(), (weight * bent_b).cast<float>(),
       (weight * b.normals).cast<float>();
   VertexMaps maps;
-  nearestBothWays(fa, fb, maps.forward, maps.backward);
+  nearestAmongGroups(fa, fb, maps.forward, maps.backward);
   return maps;
 }
 

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grouped_nearest.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace posture {
+namespace {
+
+using Eigen::MatrixXf;
+using Eigen::VectorXf;
+
+constexpr int GROUP = 32;
+constexpr float INFINITE = std::numeric_limits<float>::infinity();
+
+/// Points in an order in which GROUP consecutive ones are near each other, with the nearest points
+/// of another set found so far.
+struct GroupedPoints {
+  explicit GroupedPoints(const MatrixXf& rows);
+
+  int groups() const { return static_cast<int>(low.cols()); }
+  int size(int group) const {
+    return std::min(GROUP, static_cast<int>(row.size()) - group * GROUP);
+  }
+
+  /// Half the squared distance within which each point of the group has a neighbour.
+  float reach(int group) const {
+    const int first = group * GROUP;
+    return (least.segment(first, size(group)) + half.segment(first, size(group))).maxCoeff();
+  }
+
+  /// For each row as given.
+  std::vector<int> found() const {
+    std::vector<int> found(row.size());
+    for (std::size_t i = 0; i < row.size(); ++i) found[row[i]] = nearest[i];
+    return found;
+  }
+
+  MatrixXf points;           // a column each
+  std::vector<int> row;      // as given
+  VectorXf half;             // of the squared norms
+  VectorXf least;            // half the squared distance to the nearest, less `half`
+  std::vector<int> nearest;  // its row
+  MatrixXf low, high;        // corners of the box around each group
+
+ private:
+  void arrange(const MatrixXf& given, int begin, int end);
+};
+
+GroupedPoints::GroupedPoints(const MatrixXf& rows)
+    : row(rows.rows()),
+      least(VectorXf::Constant(rows.rows(), INFINITE)),
+      nearest(rows.rows(), 0),
+      low(rows.cols(), (rows.rows() + GROUP - 1) / GROUP),
+      high(low) {
+  std::iota(row.begin(), row.end(), 0);
+  const MatrixXf given = rows.transpose();
+  arrange(given, 0, static_cast<int>(row.size()));
+  points = given(Eigen::all, row);
+  const VectorXf squared = rows.rowwise().squaredNorm();
+  half = 0.5f * squared(row);
+  for (int g = 0; g < groups(); ++g) {
+    low.col(g) = points.middleCols(g * GROUP, size(g)).rowwise().minCoeff();
+    high.col(g) = points.middleCols(g * GROUP, size(g)).rowwise().maxCoeff();
+  }
+}
+
+/// Halves a range where it is widest, down to groups of which all but the last are full.
+void GroupedPoints::arrange(const MatrixXf& given, int begin, int end) {
+  const int count = (end - begin + GROUP - 1) / GROUP;
+  if (count <= 1) return;
+  VectorXf from = given.col(row[begin]), to = from;
+  for (int i = begin + 1; i < end; ++i) {
+    from = from.cwiseMin(given.col(row[i]));
+    to = to.cwiseMax(given.col(row[i]));
+  }
+  Eigen::Index widest = 0;
+  (to - from).maxCoeff(&widest);
+  const int middle = begin + GROUP * ((count + 1) / 2);
+  std::nth_element(row.begin() + begin, row.begin() + middle, row.begin() + end, [&](int x, int y) {
+    return std::make_pair(given(widest, x), x) < std::make_pair(given(widest, y), y);
+  });
+  arrange(given, begin, middle);
+  arrange(given, middle, end);
+}
+
+/// Two groups and a lower bound of half the squared distances between them.
+struct GroupPair {
+  float bound;
+  int a, b;
+};
+
+/// Pairs with the least bounds first.
+std::vector<GroupPair> groupPairs(const GroupedPoints& a, const GroupedPoints& b) {
+  // What half a squared distance may be off by when it comes from a product.
+  const float rounding = 1e-5f * (a.half.maxCoeff() + b.half.maxCoeff());
+  std::vector<GroupPair> pairs;
+  pairs.reserve(static_cast<std::size_t>(a.groups()) * b.groups());
+  for (int j = 0; j < b.groups(); ++j)
+    for (int i = 0; i < a.groups(); ++i) {
+      const auto gap = (a.low.col(i) - b.high.col(j)).cwiseMax(b.low.col(j) - a.high.col(i));
+      pairs.push_back({0.5f * gap.cwiseMax(0.0f).squaredNorm() - rounding, i, j});
+    }
+  std::sort(pairs.begin(), pairs.end(), [](const GroupPair& x, const GroupPair& y) {
+    return std::tie(x.bound, x.a, x.b) < std::tie(y.bound, y.a, y.b);
+  });
+  return pairs;
+}
+
+/// All points of two groups with each other; one block of products serves both directions.
+void compare(GroupedPoints& a, int group_a, GroupedPoints& b, int group_b, MatrixXf& products) {
+  const int first_a = group_a * GROUP, first_b = group_b * GROUP;
+  const int na = a.size(group_a), nb = b.size(group_b);
+  products.noalias() =
+      a.points.middleCols(first_a, na).transpose() * b.points.middleCols(first_b, nb);
+  const float* const half = a.half.data() + first_a;
+  const int* const row = a.row.data() + first_a;
+  float* const least = a.least.data() + first_a;
+  int* const nearest = a.nearest.data() + first_a;
+  for (int j = 0; j < nb; ++j) {
+    const float* const product = products.col(j).data();
+    const float offset = b.half[first_b + j];
+    const int row_b = b.row[first_b + j];
+    float best = INFINITE;
+    // Without branches: vectorized.
+    for (int i = 0; i < na; ++i) {
+      const float d = offset - product[i];
+      const bool less = (d < least[i]) | ((d == least[i]) & (row_b < nearest[i]));
+      least[i] = less ? d : least[i];
+      nearest[i] = less ? row_b : nearest[i];
+    }
+    for (int i = 0; i < na; ++i) best = std::min(best, half[i] - product[i]);
+    float& least_b = b.least[first_b + j];
+    int& nearest_b = b.nearest[first_b + j];
+    if (best > least_b) continue;
+    for (int i = 0; i < na; ++i)
+      if (half[i] - product[i] == best && (best < least_b || row[i] < nearest_b)) {
+        least_b = best;
+        nearest_b = row[i];
+      }
+  }
+}
+
+}  // namespace
+
+void nearestAmongGroups(const MatrixXf& rows_a,
+                        const MatrixXf& rows_b,
+                        std::vector<int>& forward,
+                        std::vector<int>& backward) {
+  GroupedPoints a(rows_a), b(rows_b);
+  std::vector<float> reach_a(a.groups(), INFINITE), reach_b(b.groups(), INFINITE);
+  MatrixXf products;
+  for (const GroupPair& pair : groupPairs(a, b)) {
+    if (pair.bound > std::max(reach_a[pair.a], reach_b[pair.b])) continue;
+    compare(a, pair.a, b, pair.b, products);
+    reach_a[pair.a] = a.reach(pair.a);
+    reach_b[pair.b] = b.reach(pair.b);
+  }
+  forward = a.found();
+  backward = b.found();
+}
+
+}  // namespace posture

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/rng.h>
+
+#include <gtest/gtest.h>
+
+#include "grouped_nearest.h"
+#include <vector>
+
+namespace posture {
+namespace {
+
+Eigen::MatrixXf randomRows(int rows, int dimensions, Rng& rng) {
+  Eigen::MatrixXf m(rows, dimensions);
+  for (int j = 0; j < dimensions; ++j)
+    for (int i = 0; i < rows; ++i) m(i, j) = static_cast<float>(rng.uniform());
+  return m;
+}
+
+/// In double precision, one by one.
+int nearestOf(const Eigen::MatrixXf& rows, const Eigen::RowVectorXf& row) {
+  Eigen::Index nearest = 0;
+  (rows.cast<double>().rowwise() - row.cast<double>()).rowwise().squaredNorm().minCoeff(&nearest);
+  return static_cast<int>(nearest);
+}
+
+void expectNearest(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b) {
+  std::vector<int> forward, backward;
+  nearestAmongGroups(a, b, forward, backward);
+  ASSERT_EQ(forward.size(), a.rows());
+  ASSERT_EQ(backward.size(), b.rows());
+  for (int i = 0; i < a.rows(); ++i) EXPECT_EQ(forward[i], nearestOf(b, a.row(i))) << i;
+  for (int j = 0; j < b.rows(); ++j) EXPECT_EQ(backward[j], nearestOf(a, b.row(j))) << j;
+}
+
+TEST(GroupedNearest, finds_what_looking_at_all_finds) {
+  Rng rng(7);
+  for (int dimensions : {2, 3, 12})
+    expectNearest(randomRows(500, dimensions, rng), randomRows(333, dimensions, rng));
+}
+
+TEST(GroupedNearest, finds_it_where_the_two_sets_are_far_apart) {
+  Rng rng(8);
+  Eigen::MatrixXf far = randomRows(200, 3, rng);
+  far.col(1).array() += 5;
+  expectNearest(randomRows(300, 3, rng), far);
+}
+
+TEST(GroupedNearest, takes_sets_smaller_than_a_group) {
+  Rng rng(9);
+  expectNearest(randomRows(1, 4, rng), randomRows(1, 4, rng));
+  expectNearest(randomRows(5, 4, rng), randomRows(100, 4, rng));
+}
+
+TEST(GroupedNearest, takes_the_first_of_equally_near_rows) {
+  // Small integers: all distances are exact.
+  constexpr int n = 400, sites = 10;
+  Eigen::MatrixXf a(n, 2), b(n, 2);
+  for (int i = 0; i < n; ++i) {
+    a.row(i) << static_cast<float>(i % sites), 0.0f;
+    b.row(i) << static_cast<float>(i * 7 % sites), 1.0f;
+  }
+  std::vector<int> forward, backward;
+  nearestAmongGroups(a, b, forward, backward);
+  for (int i = 0; i < n; ++i) {
+    EXPECT_EQ(forward[i], i % sites * 3 % sites) << i;
+    EXPECT_EQ(backward[i], i * 7 % sites) << i;
+  }
+}
+
+}  // namespace
+}  // namespace posture
