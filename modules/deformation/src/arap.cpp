@@ -15,7 +15,10 @@ namespace posture {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
-using Solver = Eigen::SimplicialLDLT<Sparse>;
+using Order = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
+
+/// The factors L D L' of a matrix whose rows are in order already.
+using Factors = Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
 Eigen::Matrix3d rotationBySvd(const Eigen::Matrix3d& m) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -53,11 +56,27 @@ Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& given) {
   return system.inverse() * (cofactors + t * m);
 }
 
+/// Solves for all three columns at once: Eigen goes through the factors for one after the other.
+void solveInPlace(const Factors& factors, Points& x) {
+  const Sparse& lower = factors.matrixL().nestedExpression();  // without its diagonal of ones
+  for (int j = 0; j < lower.cols(); ++j) {
+    const Eigen::RowVector3d known = x.row(j);
+    for (Sparse::InnerIterator it(lower, j); it; ++it) x.row(it.row()) -= it.value() * known;
+  }
+  x = factors.vectorD().asDiagonal().inverse() * x;
+  for (int j = static_cast<int>(lower.cols()) - 1; j >= 0; --j) {
+    Eigen::RowVector3d sum = x.row(j);
+    for (Sparse::InnerIterator it(lower, j); it; ++it) sum -= it.value() * x.row(it.row());
+    x.row(j) = sum;
+  }
+}
+
 }  // namespace
 
 struct Arap::Impl {
   Points rest;
   Sparse weights;  // n x n, graph Laplacian of the weights w_ij >= 0
+  Order order;     // in which few entries fill in when it is factored
   Vector mass;
 
   std::vector<Eigen::Matrix3d> rotations(const Points& p) const;
@@ -73,7 +92,9 @@ std::vector<Eigen::Matrix3d> Arap::Impl::rotations(const Points& p) const {
     Eigen::Matrix3d s = Eigen::Matrix3d::Zero();
     for (Sparse::InnerIterator it(weights, i); it; ++it) {
       const int j = static_cast<int>(it.row());
-      if (j != i) s -= it.value() * (p.row(i) - p.row(j)).transpose() * (rest.row(i) - rest.row(j));
+      if (j == i) continue;
+      const Eigen::Vector3d bent = it.value() * (p.row(i) - p.row(j)).transpose();
+      s.noalias() -= bent * (rest.row(i) - rest.row(j));
     }
     r[i] = nearestRotation(s);
   }
@@ -168,6 +189,9 @@ Arap::Arap(const TriangleMesh& rest, const Laplacian& laplacian) {
   }
   impl->weights.resize(n, n);
   impl->weights.setFromTriplets(entries.begin(), entries.end());
+  Order inverse;
+  Eigen::AMDOrdering<int>()(impl->weights, inverse);
+  impl->order = inverse.inverse();
   impl_ = std::move(impl);
 }
 
@@ -183,7 +207,7 @@ std::vector<Eigen::Matrix3d> Arap::rotations(const Points& bent) const {
 struct Arap::Attraction::Impl {
   Vector strength;   // of each goal
   Vector stiffness;  // of each vertex's surroundings
-  Solver solver;
+  Factors factors;   // of the system in the surface's order
 };
 
 Arap::Attraction::Attraction(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
@@ -205,30 +229,35 @@ Arap::Attraction Arap::attract(double softness,
       bent.rows() > 0 ? impl_->cellStiffness(bent) : Vector::Ones(impl_->mass.size());
   Sparse system = impl_->weightsWith(attraction->stiffness);
   system.diagonal() += attraction->strength;
-  attraction->solver.compute(system);
-  if (attraction->solver.info() != Eigen::Success)
+  Sparse ordered;
+  ordered = system.twistedBy(impl_->order);
+  attraction->factors.compute(ordered);
+  if (attraction->factors.info() != Eigen::Success)
     throw std::runtime_error("Arap: singular system");
   return Attraction(std::move(attraction));
 }
 
-Arap::Result Arap::pull(const Points& start,
-                        const Points& goals,
-                        const Attraction& attraction,
-                        int iterations) const {
+Points Arap::pull(const Points& start,
+                  const Points& goals,
+                  const Attraction& attraction,
+                  int iterations) const {
   const auto n = impl_->rest.rows();
   require(start.rows() == n && goals.rows() == n, "Arap: one place and one goal a vertex");
   require(attraction.impl_->strength.size() == n, "Arap: the attraction is of another surface");
   const Points pull = attraction.impl_->strength.asDiagonal() * goals;
-  Result result;
-  result.vertices = start;
-  std::vector<Eigen::Matrix3d> r = impl_->rotations(start);
+  Points places = start;
   for (int i = 0; i < iterations; ++i) {
-    result.vertices =
-        attraction.impl_->solver.solve(impl_->rigidPull(r, attraction.impl_->stiffness) + pull);
-    r = impl_->rotations(result.vertices);
+    const std::vector<Eigen::Matrix3d> r = impl_->rotations(places);
+    places = impl_->order * (impl_->rigidPull(r, attraction.impl_->stiffness) + pull);
+    solveInPlace(attraction.impl_->factors, places);
+    places = (impl_->order.transpose() * places).eval();
   }
-  result.energy = impl_->energy(result.vertices, r);
-  return result;
+  return places;
+}
+
+double Arap::energy(const Points& bent) const {
+  require(bent.rows() == impl_->rest.rows(), "Arap: one place a vertex");
+  return impl_->energy(bent, impl_->rotations(bent));
 }
 
 }  // namespace posture

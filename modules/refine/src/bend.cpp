@@ -66,7 +66,7 @@ Points bentOnto(const SpectralSurface& from,
                 double softness) {
   const Points goals = rowsAt(to.mesh.vertices, matches);
   const Arap::Attraction attraction = from.arap.attract(softness, belief(from, to, matches));
-  return from.arap.pull(lowPass(from, goals, k), goals, attraction, BENDING_STEPS).vertices;
+  return from.arap.pull(lowPass(from, goals, k), goals, attraction, BENDING_STEPS);
 }
 
 }  // namespace

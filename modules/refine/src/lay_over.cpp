@@ -185,7 +185,7 @@ void pullRobustly(const BendableSurface& from,
     const double r = distance[v] / usual, near = 1 / (1 + r * r);
     believed[v] *= near * near;
   }
-  bent = from.arap.pull(bent, goals, from.arap.attract(softness, believed), BENDING_STEPS).vertices;
+  bent = from.arap.pull(bent, goals, from.arap.attract(softness, believed), BENDING_STEPS);
 }
 
 }  // namespace

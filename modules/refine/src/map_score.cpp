@@ -37,7 +37,8 @@ double bendingEnergy(const SpectralSurface& from,
                      double softness) {
   const Points goals = rowsAt(to.mesh.vertices, matches);
   const Arap::Attraction attraction = from.arap.attract(softness, believed);
-  return from.arap.pull(lowPass(from, goals, k), goals, attraction, 2 * BENDING_STEPS).energy;
+  return from.arap.energy(
+      from.arap.pull(lowPass(from, goals, k), goals, attraction, 2 * BENDING_STEPS));
 }
 
 /// Mean curvature, positive where the surface bulges, smoothed.

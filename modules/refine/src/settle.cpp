@@ -146,7 +146,7 @@ class Bender {
       believed_ = std::move(believed);
     }
     const Points goals = pointsAt(bestPlaces(of_from, to_, of_to, matches), to_.mesh);
-    bent = from_.arap.pull(bent, goals, *attraction_, BENDING_STEPS).vertices;
+    bent = from_.arap.pull(bent, goals, *attraction_, BENDING_STEPS);
   }
 
  private:

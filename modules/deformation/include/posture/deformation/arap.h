@@ -46,16 +46,15 @@ class Arap {
   ///        equally stiff everywhere.
   Attraction attract(double softness, const Vector& confidence = {}, const Points& bent = {}) const;
 
-  struct Result {
-    Points vertices;    ///< n x 3
-    double energy = 0;  ///< of the first sum, after division by the area: no unit
-  };
-
-  /// Alternates rotations and places from `start`.
-  Result pull(const Points& start,
+  /// Alternates rotations and places from `start`: n x 3.
+  Points pull(const Points& start,
               const Points& goals,
               const Attraction& attraction,
               int iterations) const;
+
+  /// The least that the first sum can be where the surface lies so, after division by the area: no
+  /// unit.
+  double energy(const Points& bent) const;
 
   /// The rotation that best takes the surface at rest around each vertex to `bent`.
   std::vector<Eigen::Matrix3d> rotations(const Points& bent) const;
