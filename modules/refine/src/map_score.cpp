@@ -16,6 +16,9 @@ namespace {
 /// Sizes of basis: bending wants the body's large forms, curvature its details too.
 constexpr int BENDING_BASIS = 60, DETAIL_BASIS = 100;
 
+/// Places between which distances are compared: all pairs of so many.
+constexpr int DISTANCE_SAMPLES = 80;
+
 /// A change of distance counts up to here, so that a path that a hole blocks does not outweigh
 /// those that agree.
 constexpr double LARGEST_CHANGE = 0.5;
@@ -62,18 +65,19 @@ double distanceChange(const SpectralSurface& from,
                       const std::vector<int>& matches,
                       const Vector& believed) {
   std::vector<int> places, images;
-  for (int v = 0; v < from.distances.rows(); ++v)
+  const int samples = std::min(DISTANCE_SAMPLES, static_cast<int>(matches.size()));
+  for (int v = 0; v < samples; ++v)
     if (believed[v] > 0) {
       places.push_back(v);
       images.push_back(matches[v]);
     }
   double change = 0;
   std::size_t pairs = 0;
-  GeodesicField there;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    to.marching.marchUntil(images[i], images, there);
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const std::vector<double>&here = from.distances.from(places[i]),
+          &there = to.distances.from(images[i]);
     for (std::size_t j = 0; j < i; ++j) {
-      const double x = from.distances(places[i], places[j]), y = there.distance[images[j]];
+      const double x = here[places[j]], y = there[images[j]];
       if (!std::isfinite(x) || !std::isfinite(y)) continue;
       change += std::min(LARGEST_CHANGE, 2 * std::abs(x - y) / (x + y));
       ++pairs;

@@ -4,10 +4,7 @@
 #include <posture/mesh/normals.h>
 #include <posture/refine/surface.h>
 
-#include <algorithm>
-#include <numeric>
 #include <utility>
-#include <vector>
 
 namespace posture {
 
@@ -24,18 +21,9 @@ SpectralSurface::SpectralSurface(TriangleMesh surface, const Matrix& basis, Vect
     : BendableSurface(std::move(surface)),
       functions(basis.cast<float>()),
       eigenvalues(std::move(values)),
-      marching(mesh) {
+      distances(mesh) {
   require(functions.rows() == mesh.vertices.rows() && functions.cols() == eigenvalues.size(),
           "SpectralSurface: one row a vertex, one eigenvalue a function");
-  const int samples = std::min(DISTANCE_SAMPLES, static_cast<int>(mesh.vertices.rows()));
-  std::vector<int> first(samples);
-  std::iota(first.begin(), first.end(), 0);
-  distances.resize(samples, samples);
-  GeodesicField field;
-  for (int i : first) {
-    marching.marchUntil(i, first, field);
-    for (int j : first) distances(i, j) = field.distance[j];
-  }
   gram = functions.transpose() * (laplacian.mass.cast<float>().asDiagonal() * functions);
 }
 

@@ -4,7 +4,7 @@
 
 #include <posture/core/types.h>
 #include <posture/deformation/arap.h>
-#include <posture/geodesic/fast_marching.h>
+#include <posture/geodesic/distance_rows.h>
 #include <posture/mesh/vertex_neighbors.h>
 #include <posture/spectral/spectral_basis.h>
 
@@ -26,9 +26,6 @@ struct BendableSurface {
   Arap arap;
 };
 
-/// Places between which distances are compared: all pairs of so many.
-constexpr int DISTANCE_SAMPLES = 80;
-
 /// A surface with its smoothest functions.
 struct SpectralSurface : BendableSurface {
   /// \param functions  n x k, computed on this mesh or on a finer one with all its vertices.
@@ -37,8 +34,7 @@ struct SpectralSurface : BendableSurface {
   Eigen::MatrixXf functions;  ///< n x k. Single precision: maps are no more exact than an edge
   Vector eigenvalues;         ///< k
   Eigen::MatrixXf gram;       ///< k x k, inner products of the functions on this mesh
-  FastMarching marching;
-  Matrix distances;  ///< s x s, geodesic between the first vertices, at most DISTANCE_SAMPLES
+  DistanceRows distances;     ///< geodesic
 };
 
 /// A map between the vertices of two surfaces, both ways.
