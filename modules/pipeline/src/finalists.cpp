@@ -29,8 +29,9 @@ const std::vector<std::vector<int>> STARTS{{12, 24, 36, 48, 60}, {30, 40, 50, 60
 const std::vector<int> FINE_SIZES{40, 58, 76, 95, 114, 133, 152, 171, 190};
 
 /// A soft surface slides far, a stiff one keeps what is known: which of the two ways down is better
-/// depends on how isometric the pair is, and the score tells.
-const std::vector<std::vector<double>> STIFFENINGS{{0.1, 0.3, 1}, {0.03, 0.1, 0.3, 1}};
+/// depends on how isometric the pair is, and the score tells. The longer way first: two threads
+/// then end at the same time.
+const std::vector<std::vector<double>> STIFFENINGS{{0.03, 0.1, 0.3, 1}, {0.1, 0.3, 1}};
 constexpr int ROUNDS = 6;
 
 /// Parts exchanged between finalists: at least so many vertices of a coarse mesh, so many tried at
@@ -96,6 +97,33 @@ BentPair sharpened(const Eigen::MatrixXf& coarse_functions,
           target.mesh.vertices(sharp.forward, Eigen::all),
           source.mesh.vertices(sharp.backward, Eigen::all)};
 }
+
+/// The work meshes of the target and of the source at each finalist's scale, most of which are 1.
+class WorkSurfaces {
+ public:
+  WorkSurfaces(const RefinedShape& source,
+               const RefinedShape& target,
+               const std::vector<const Finalist*>& finalists) {
+    for (const Finalist* finalist : finalists)
+      if (std::find(scales_.begin(), scales_.end(), finalist->scale) == scales_.end())
+        scales_.push_back(finalist->scale);
+    surfaces_.resize(1 + scales_.size());
+    parallelFor(static_cast<int>(surfaces_.size()), [&](int i) {
+      const RefinedShape shape = i == 0 ? target : rescaled(source, scales_[i - 1]);
+      surfaces_[i] = std::make_unique<const SpectralSurface>(shape.workSurface());
+    });
+  }
+
+  const SpectralSurface& target() const { return *surfaces_[0]; }
+  const SpectralSurface& source(double scale) const {
+    const auto found = std::find(scales_.begin(), scales_.end(), scale);
+    return *surfaces_[1 + (found - scales_.begin())];
+  }
+
+ private:
+  std::vector<double> scales_;
+  std::vector<std::unique_ptr<const SpectralSurface>> surfaces_;  // the target's first
+};
 
 template <class Scored>
 void sortByScore(std::vector<Scored>& maps) {
@@ -226,23 +254,22 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
 std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const RefinedShape& target,
                                         const std::vector<const Finalist*>& finalists) {
-  const SpectralSurface target_coarse = target.coarseSurface(), target_work = target.workSurface();
-  std::vector<std::unique_ptr<const SpectralSurface>> source_work(finalists.size());
+  const WorkSurfaces surfaces(source, target, finalists);
+  const SpectralSurface& target_work = surfaces.target();
   std::vector<BentPair> starts(finalists.size());
   parallelFor(static_cast<int>(finalists.size()), [&](int i) {
     const Finalist& finalist = *finalists[i];
     const RefinedShape scaled = rescaled(source, finalist.scale);
-    source_work[i] = std::make_unique<const SpectralSurface>(scaled.workSurface());
     starts[i] = finalist.bent ? carryUp(scaled.work.mesh,
                                         scaled.coarse,
                                         BendableSurface(scaled.coarse.mesh),
                                         target.work.mesh,
                                         target.coarse,
-                                        target_coarse,
+                                        BendableSurface(target.coarse.mesh),
                                         *finalist.bent)
                               : sharpened(scaled.coarseFunctions(),
-                                          *source_work[i],
-                                          target_coarse.functions,
+                                          surfaces.source(finalist.scale),
+                                          target.coarseFunctions(),
                                           target_work,
                                           finalist.maps);
   });
@@ -253,7 +280,7 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
     map.scale = finalists[map.finalist]->scale;
     map.laid = finalists[map.finalist]->bent.has_value();
     map.pair = starts[map.finalist];
-    const SpectralSurface& work = *source_work[map.finalist];
+    const SpectralSurface& work = surfaces.source(map.scale);
     const double softness = settlingSoftness(work.eigenvalues, target_work.eigenvalues);
     for (double share : STIFFENINGS[i % STIFFENINGS.size()])
       settle(work, target_work, share * softness, ROUNDS, map.pair);
