@@ -89,6 +89,23 @@ TEST(CleanMesh, loosePartsFollowTheSurfaceTheyAreNearestTo) {
   }
 }
 
+TEST(CleanMesh, keepsPiecesThatAreNoCrumbs) {
+  const TriangleMesh ball = test::sphere(2);
+  // One of a quarter of its area, turned inside out, and one of a ten-thousandth.
+  TriangleMesh half = ball, crumb = ball;
+  half.vertices *= 0.5;
+  half.faces.col(0).swap(half.faces.col(1));
+  crumb.vertices *= 0.01;
+  const TriangleMesh mesh = together(together(ball, half, {3, 0, 0}), crumb, {0, 3, 0});
+  const CleanMesh clean = cleanMesh(mesh);
+  ASSERT_EQ(clean.pieces.vertices.rows(), half.vertices.rows());
+  EXPECT_EQ(clean.pieces.faces.rows(), half.faces.rows());
+  ASSERT_EQ(clean.piece_vertex.size(), static_cast<std::size_t>(half.vertices.rows()));
+  for (int v = 0; v < half.vertices.rows(); ++v)
+    EXPECT_EQ(clean.pieces.vertices.row(v), mesh.vertices.row(clean.piece_vertex[v]));
+  EXPECT_GT(volume(clean.pieces), 0);
+}
+
 TEST(CleanMesh, everyInputVertexHasAPlace) {
   TriangleMesh mesh = test::grid(4, 4, 1, 1);
   const int n = static_cast<int>(mesh.vertices.rows());

@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/mesh/clean_mesh.h>
+#include <posture/mesh/connected_parts.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/point_index.h>
 
 #include <Eigen/Geometry>
 #include <boost/container_hash/hash.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <map>
 #include <set>
 #include <unordered_map>
 
@@ -59,36 +58,6 @@ Faces toFaces(const std::vector<Eigen::Vector3i>& triangles) {
   Faces faces(triangles.size(), 3);
   for (std::size_t f = 0; f < triangles.size(); ++f) faces.row(f) = triangles[f];
   return faces;
-}
-
-struct Components {
-  std::vector<int> of_face;
-  int main;  // that of largest area
-  double main_area;
-};
-
-Components components(const TriangleMesh& mesh, CleaningSummary& summary) {
-  const int n = static_cast<int>(mesh.vertices.rows());
-  std::vector<int> rank(n), parent(n);
-  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
-  for (int v = 0; v < n; ++v) sets.make_set(v);
-  for (int f = 0; f < mesh.faces.rows(); ++f) {
-    sets.union_set(mesh.faces(f, 0), mesh.faces(f, 1));
-    sets.union_set(mesh.faces(f, 0), mesh.faces(f, 2));
-  }
-  const Vector areas = faceAreas(mesh);
-  std::vector<int> component(mesh.faces.rows());
-  std::map<int, double> area_of;
-  for (int f = 0; f < mesh.faces.rows(); ++f) {
-    component[f] = sets.find_set(mesh.faces(f, 0));
-    area_of[component[f]] += areas[f];
-  }
-  summary.components = static_cast<int>(area_of.size());
-  const auto largest =
-      std::max_element(area_of.begin(), area_of.end(), [](const auto& a, const auto& b) {
-        return a.second < b.second;
-      });
-  return {component, largest->first, largest->second};
 }
 
 bool hasDirectedEdge(const Faces& faces, int face, int from, int to) {
@@ -170,6 +139,30 @@ class Orienter {
   std::vector<char> visited_;
 };
 
+/// Of the main surface's area: less is a crumb.
+constexpr double LEAST_PIECE = 0.01;
+
+/// Puts the parts other than the main one that are no crumbs into `clean.pieces`.
+void keepPieces(const TriangleMesh& welded, const ConnectedParts& parts, CleanMesh& clean) {
+  std::vector<Eigen::Vector3i> faces;
+  std::vector<int> number(welded.vertices.rows(), -1);
+  for (int f = 0; f < welded.faces.rows(); ++f) {
+    const int part = parts.of_face[f];
+    if (part == parts.largest || parts.area[part] < LEAST_PIECE * parts.area[parts.largest])
+      continue;
+    faces.emplace_back(welded.faces.row(f));
+    for (int& v : faces.back()) {
+      if (number[v] < 0) {
+        number[v] = static_cast<int>(clean.piece_vertex.size());
+        clean.piece_vertex.push_back(v);
+      }
+      v = number[v];
+    }
+  }
+  clean.pieces = {welded.vertices(clean.piece_vertex, Eigen::all), toFaces(faces)};
+  Orienter(clean.pieces).run();
+}
+
 /// What rounding leaves between corners in a line, as read or far from the origin.
 double areaOfRounding(const Points& vertices) {
   const double extent = (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).norm();
@@ -207,12 +200,13 @@ CleanMesh cleanMesh(const TriangleMesh& input) {
   summary.unreferenced_vertices =
       static_cast<int>(std::count(referenced.begin(), referenced.end(), 0));
 
-  const auto [component, main_component, main_area] = components(welded, summary);
+  const ConnectedParts parts = connectedParts(welded);
+  summary.components = static_cast<int>(parts.area.size());
   clean.clean_vertex.assign(n, -1);
   clean.offset = Vector::Zero(n);
   std::vector<Eigen::Vector3i> faces;
   for (int f = 0; f < welded.faces.rows(); ++f)
-    if (component[f] == main_component) faces.emplace_back(welded.faces.row(f));
+    if (parts.of_face[f] == parts.largest) faces.emplace_back(welded.faces.row(f));
   // Numbered in the order of the input.
   for (const auto& t : faces)
     for (int k = 0; k < 3; ++k) clean.clean_vertex[t[k]] = 0;
@@ -229,11 +223,12 @@ CleanMesh cleanMesh(const TriangleMesh& input) {
 
   clean.mesh.faces = toFaces(faces);
   clean.mesh.vertices = input.vertices(clean.input_vertex, Eigen::all);
-  if (!(main_area > areaOfRounding(clean.mesh.vertices)))
+  if (!(parts.area[parts.largest] > areaOfRounding(clean.mesh.vertices)))
     throw InputError("has only faces without area");
   summary.flipped_faces = Orienter(clean.mesh).run();
   for (const Edge& e : meshEdges(clean.mesh.faces)) summary.non_manifold_edges += e.faces > 2;
   attachLooseVertices(input.vertices, clean);
+  keepPieces(welded, parts, clean);
   return clean;
 }
 

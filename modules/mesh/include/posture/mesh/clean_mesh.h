@@ -31,6 +31,10 @@ struct CleanMesh {
   std::vector<int> clean_vertex;
   /// Input vertex -> distance to that clean vertex; 0 exactly on the main surface.
   Vector offset;
+  /// The other connected parts, those of less than a hundredth of its area left out; oriented each
+  /// by itself.
+  TriangleMesh pieces;
+  std::vector<int> piece_vertex;  ///< vertex of the pieces -> the first input vertex at its place
   CleaningSummary summary;
 };
 

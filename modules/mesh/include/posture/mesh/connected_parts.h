@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/core/types.h>
+
+#include <vector>
+
+namespace posture {
+
+/// The parts of a mesh that are joined by common vertices.
+struct ConnectedParts {
+  std::vector<int> of_face;  ///< m; parts are numbered by their first face
+  std::vector<double> area;  ///< of each part
+  int largest = -1;          ///< by area; -1 without faces
+};
+
+ConnectedParts connectedParts(const TriangleMesh& mesh);
+
+}  // namespace posture

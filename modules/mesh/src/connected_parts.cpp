@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/connected_parts.h>
+#include <posture/mesh/edges.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+
+namespace posture {
+
+ConnectedParts connectedParts(const TriangleMesh& mesh) {
+  const int n = static_cast<int>(mesh.vertices.rows()), m = static_cast<int>(mesh.faces.rows());
+  std::vector<int> rank(n), parent(n), number(n, -1);
+  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
+  for (int v = 0; v < n; ++v) sets.make_set(v);
+  for (int f = 0; f < m; ++f) {
+    sets.union_set(mesh.faces(f, 0), mesh.faces(f, 1));
+    sets.union_set(mesh.faces(f, 0), mesh.faces(f, 2));
+  }
+  const Vector areas = faceAreas(mesh);
+  ConnectedParts parts;
+  for (int f = 0; f < m; ++f) {
+    int& part = number[sets.find_set(mesh.faces(f, 0))];
+    if (part < 0) {
+      part = static_cast<int>(parts.area.size());
+      parts.area.push_back(0);
+    }
+    parts.of_face.push_back(part);
+    parts.area[part] += areas[f];
+  }
+  if (m > 0)
+    parts.largest = static_cast<int>(std::max_element(parts.area.begin(), parts.area.end()) -
+                                     parts.area.begin());
+  return parts;
+}
+
+}  // namespace posture

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/connected_parts.h>
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+namespace posture {
+namespace {
+
+TEST(ConnectedParts, areNumberedByTheirFirstFaceAndHaveTheirArea) {
+  const TriangleMesh small = test::grid(2, 2, 1, 1), large = test::grid(3, 1, 3, 1);
+  TriangleMesh mesh;
+  mesh.vertices.resize(small.vertices.rows() + large.vertices.rows(), 3);
+  mesh.vertices << small.vertices, large.vertices;
+  mesh.faces.resize(small.faces.rows() + large.faces.rows(), 3);
+  mesh.faces << small.faces, large.faces.array() + static_cast<int>(small.vertices.rows());
+  const ConnectedParts parts = connectedParts(mesh);
+  ASSERT_EQ(parts.area.size(), 2u);
+  EXPECT_DOUBLE_EQ(parts.area[0], 1);
+  EXPECT_DOUBLE_EQ(parts.area[1], 3);
+  EXPECT_EQ(parts.largest, 1);
+  ASSERT_EQ(parts.of_face.size(), static_cast<std::size_t>(mesh.faces.rows()));
+  for (int f = 0; f < mesh.faces.rows(); ++f)
+    EXPECT_EQ(parts.of_face[f], f < small.faces.rows() ? 0 : 1);
+}
+
+TEST(ConnectedParts, oneCommonVertexJoins) {
+  TriangleMesh mesh;
+  mesh.vertices = Points::Random(5, 3);
+  mesh.faces.resize(2, 3);
+  mesh.faces << 0, 1, 2, 2, 3, 4;
+  EXPECT_EQ(connectedParts(mesh).area.size(), 1u);
+}
+
+TEST(ConnectedParts, ofNothingAreNone) {
+  EXPECT_EQ(connectedParts({Points(3, 3), Faces(0, 3)}).largest, -1);
+}
+
+}  // namespace
+}  // namespace posture
