@@ -61,6 +61,28 @@ TEST(Similarity, goesThereAndBack) {
             1e-12);
 }
 
+TEST(SurfacePlaces, areSpreadOverAllPiecesWhateverTheirOrder) {
+  const TriangleMesh whole = body(0);
+  std::vector<int> front_vertex, back_vertex;
+  const TriangleMesh front = part(
+      whole, [&](int v) { return whole.vertices(v, 0) > 0.1; }, front_vertex);
+  const TriangleMesh back = part(
+      whole, [&](int v) { return whole.vertices(v, 0) < -0.1; }, back_vertex);
+  const auto both = [](const TriangleMesh& x, const TriangleMesh& y) {
+    TriangleMesh mesh{Points(x.vertices.rows() + y.vertices.rows(), 3),
+                      Faces(x.faces.rows() + y.faces.rows(), 3)};
+    mesh.vertices << x.vertices, y.vertices;
+    mesh.faces << x.faces, y.faces.array() + static_cast<int>(x.vertices.rows());
+    return SurfacePlaces(mesh);
+  };
+  const SurfacePlaces places = both(front, back), other = both(back, front);
+  EXPECT_EQ(places.places, other.places);
+  EXPECT_EQ(places.on_boundary, other.on_boundary);
+  const auto in_front = (places.places.col(0).array() > 0).count();
+  EXPECT_GT(in_front, places.places.rows() / 4);
+  EXPECT_LT(in_front, places.places.rows() * 3 / 4);
+}
+
 TEST(LayOver, findsAnySimilarity) {
   const TriangleMesh mesh = reduceMesh(body(0), 1000).mesh;
   for (int i = 0; i < 4; ++i) {
@@ -68,7 +90,7 @@ TEST(LayOver, findsAnySimilarity) {
         Eigen::AngleAxisd(0.9 * i, Eigen::Vector3d(1, i, -2).normalized()).toRotationMatrix();
     const Similarity truth{1.15, turn, {3, 1, -2}};
     const auto ways =
-        layOver(BendableSurface(mesh), BendableSurface({truth.of(mesh.vertices), mesh.faces}), 4);
+        layOver(SurfacePlaces(mesh), SurfacePlaces({truth.of(mesh.vertices), mesh.faces}), 4);
     ASSERT_FALSE(ways.empty());
     EXPECT_NEAR(ways[0].scale, truth.scale, 1e-3);
     EXPECT_LT((ways[0].of(mesh.vertices) - truth.of(mesh.vertices)).rowwise().norm().mean(), 1e-3);
@@ -77,7 +99,7 @@ TEST(LayOver, findsAnySimilarity) {
 
 TEST(LayOver, givesDifferentWaysByIncreasingCostAndNoMoreThanAskedFor) {
   const TriangleMesh a = reduceMesh(body(0), 1000).mesh, b = reduceMesh(body(3), 1000).mesh;
-  const auto ways = layOver(BendableSurface(a), BendableSurface(b), 3);
+  const auto ways = layOver(SurfacePlaces(a), SurfacePlaces(b), 3);
   ASSERT_EQ(ways.size(), 3u);
   for (std::size_t i = 0; i < ways.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -88,9 +110,9 @@ TEST(LayOver, isTheSameWithAnyNumberOfThreads) {
   const TriangleMesh a = reduceMesh(body(0), 600).mesh, b = reduceMesh(body(2), 600).mesh;
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
-  const auto one = layOver(BendableSurface(a), BendableSurface(b), 3);
+  const auto one = layOver(SurfacePlaces(a), SurfacePlaces(b), 3);
   omp_set_num_threads(4);
-  const auto four = layOver(BendableSurface(a), BendableSurface(b), 3);
+  const auto four = layOver(SurfacePlaces(a), SurfacePlaces(b), 3);
   omp_set_num_threads(threads);
   ASSERT_EQ(one.size(), four.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
@@ -106,8 +128,7 @@ TEST(LayOver, layAPieceSeenFromOneSideOnTheWholeBody) {
   const TriangleMesh side = part(
       whole, [&](int v) { return whole.vertices(v, 0) > 0.0; }, vertex);
   const TriangleMesh piece = reduceMesh({side.vertices * TURN.transpose(), side.faces}, 800).mesh;
-  const auto ways =
-      layOver(BendableSurface(piece), BendableSurface(reduceMesh(whole, 1000).mesh), 4);
+  const auto ways = layOver(SurfacePlaces(piece), SurfacePlaces(reduceMesh(whole, 1000).mesh), 4);
   ASSERT_FALSE(ways.empty());
   const Points back = piece.vertices * TURN;
   EXPECT_LT((ways[0].of(piece.vertices) - back).rowwise().norm().mean(), 0.02);
@@ -117,7 +138,7 @@ TEST(Conform, bendsABodyOntoAnotherPose) {
   // The same triangulation: every vertex belongs to the one of its number.
   const TriangleMesh rest = body(0), posed = body(3);
   const BendableSurface a(rest), b(posed);
-  const Similarity way = layOver(a, b, 1).front();
+  const Similarity way = layOver(SurfacePlaces(rest), SurfacePlaces(posed), 1).front();
   const BendableSurface scaled({way.scale * rest.vertices, rest.faces});
   const Points laid = way.of(rest.vertices);
   const BentPair pair = conform(scaled, b, laid, way.scale * way.inverseOf(posed.vertices));

@@ -133,6 +133,54 @@ TEST(ScoreMaps, doesNotHoldAgainstAMapWhatTheTargetLacks) {
   EXPECT_LT(score.total(), scoreMaps(a, b, wrong).total() - 2);
 }
 
+TEST(ScoreLaid, doesNotHoldAgainstAMapWhatLiesOnTheInside) {
+  // A ball laid on its upper half, the lower half of it folded up against the inside.
+  const TriangleMesh whole = lump();
+  std::vector<int> number(whole.vertices.rows(), -1), of_half;
+  TriangleMesh half{{}, Faces(whole.faces.rows(), 3)};
+  int kept = 0;
+  for (const auto& f : whole.faces.rowwise()) {
+    if (whole.vertices(f[0], 1) <= 0) continue;
+    for (int k = 0; k < 3; ++k) {
+      if (number[f[k]] < 0) {
+        number[f[k]] = static_cast<int>(of_half.size());
+        of_half.push_back(f[k]);
+      }
+      half.faces(kept, k) = number[f[k]];
+    }
+    ++kept;
+  }
+  half.faces.conservativeResize(kept, 3);
+  half.vertices = whole.vertices(of_half, Eigen::all);
+  const double length = 1 / std::sqrt(faceAreas(whole).sum());
+  const auto surface = [&](TriangleMesh mesh) {
+    mesh.vertices *= length;
+    const SpectralBasis basis = spectralBasis(cotangentLaplacian(mesh), 60);
+    return SpectralSurface(mesh, basis.functions, basis.eigenvalues);
+  };
+  const SpectralSurface a = surface(whole), b = surface(half);
+  BentPair laid;
+  laid.maps.backward = of_half;
+  laid.bent_a = a.mesh.vertices;
+  laid.bent_b = b.mesh.vertices;
+  for (int v = 0; v < whole.vertices.rows(); ++v) {
+    Eigen::RowVector3d place = a.mesh.vertices.row(v);
+    place[1] = std::abs(place[1]);
+    Eigen::Index nearest = 0;
+    (b.mesh.vertices.rowwise() - place).rowwise().norm().minCoeff(&nearest);
+    laid.maps.forward.push_back(number[v] >= 0 ? number[v] : static_cast<int>(nearest));
+    if (number[v] < 0) laid.bent_a.row(v) = b.mesh.vertices.row(nearest);
+  }
+  const MapScore fair = scoreLaid(a, b, laid), blind = scoreMaps(a, b, laid.maps);
+  EXPECT_LT(fair.total(), blind.total() - 2);
+  EXPECT_LT(fair.distortion, 0.05);
+  EXPECT_LT(fair.return_miss, 0.05);
+  // Where all have a counterpart, there is no difference.
+  const SpectralSurface same = surface(whole);
+  BentPair there{test::identity(a), same.mesh.vertices, a.mesh.vertices};
+  EXPECT_EQ(scoreLaid(a, same, there).total(), scoreMaps(a, same, there.maps).total());
+}
+
 TEST(ScoreMaps, theTruthIsBetterThanWhatIsWrong) {
   for (BodyKind kind : {BodyKind::HUMAN, BodyKind::QUADRUPED}) {
     const test::Poses& poses = test::poses(kind);

@@ -4,7 +4,6 @@
 
 #include <posture/core/parallel.h>
 #include <posture/refine/bend.h>
-#include <posture/refine/lay_over.h>
 
 #include <algorithm>
 #include <iterator>
@@ -164,8 +163,11 @@ std::vector<Finalist> registerFinalists(const SpectralSurface& source,
   return finalists;
 }
 
-std::vector<Finalist> layFinalists(const SpectralSurface& source, const SpectralSurface& target) {
-  const std::vector<Similarity> ways = layOver(source, target, MOST_LAID);
+std::vector<Finalist> layFinalists(const SpectralSurface& source,
+                                   const SpectralSurface& target,
+                                   const SurfacePlaces& source_places,
+                                   const SurfacePlaces& target_places) {
+  const std::vector<Similarity> ways = layOver(source_places, target_places, MOST_LAID);
   std::vector<Finalist> laid(ways.size());
   parallelFor(static_cast<int>(ways.size()), [&](int i) {
     const Similarity& way = ways[i];
@@ -180,7 +182,7 @@ std::vector<Finalist> layFinalists(const SpectralSurface& source, const Spectral
                             way.scale * way.inverseOf(target.mesh.vertices));
     finalist.maps = finalist.bent->maps;
     finalist.orientation = orientation(scaled, target, finalist.maps);
-    finalist.score = scoreMaps(scaled, target, finalist.maps);
+    finalist.score = scoreLaid(scaled, target, *finalist.bent);
   });
   laid.erase(std::remove_if(laid.begin(),
                             laid.end(),
@@ -284,7 +286,8 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
     const double softness = settlingSoftness(work.eigenvalues, target_work.eigenvalues);
     for (double share : STIFFENINGS[i % STIFFENINGS.size()])
       settle(work, target_work, share * softness, ROUNDS, map.pair);
-    map.score = scoreMaps(work, target_work, map.pair.maps);
+    map.score = map.laid ? scoreLaid(work, target_work, map.pair)
+                         : scoreMaps(work, target_work, map.pair.maps);
   });
   sortByScore(refined);
   return refined;

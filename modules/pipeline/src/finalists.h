@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <posture/refine/lay_over.h>
 #include <posture/refine/map_score.h>
 #include <posture/refine/sample_maps.h>
 #include <posture/refine/settle.h>
@@ -32,7 +33,11 @@ std::vector<Finalist> registerFinalists(const SpectralSurface& source,
 
 /// Finalists of another kind: the coarse surfaces laid over each other as they are, then bent. They
 /// ask for poses that are not too different, but not for whole surfaces. By increasing score.
-std::vector<Finalist> layFinalists(const SpectralSurface& source, const SpectralSurface& target);
+/// \param source_places, target_places  on all pieces of each, the surface among them.
+std::vector<Finalist> layFinalists(const SpectralSurface& source,
+                                   const SpectralSurface& target,
+                                   const SurfacePlaces& source_places,
+                                   const SurfacePlaces& target_places);
 
 /// Puts two lists into one, by increasing score.
 std::vector<Finalist> joined(std::vector<Finalist> some, std::vector<Finalist> others);

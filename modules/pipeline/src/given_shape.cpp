@@ -19,6 +19,15 @@ ShapeSummary summarize(const GivenShape& shape) {
   return summary;
 }
 
+TriangleMesh withPieces(TriangleMesh surface, const TriangleMesh& pieces) {
+  const auto n = surface.vertices.rows(), m = surface.faces.rows();
+  surface.vertices.conservativeResize(n + pieces.vertices.rows(), 3);
+  surface.vertices.bottomRows(pieces.vertices.rows()) = pieces.vertices;
+  surface.faces.conservativeResize(m + pieces.faces.rows(), 3);
+  surface.faces.bottomRows(pieces.faces.rows()) = pieces.faces.array() + static_cast<int>(n);
+  return surface;
+}
+
 Eigen::RowVector3d positionOf(const TriangleMesh& mesh, const SurfacePoint& place) {
   if (place.face < 0) return mesh.vertices.row(place.vertex);
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();

@@ -22,6 +22,9 @@ struct GivenShape {
 /// What cleaning tells of a side; samples and stress are left to the method.
 ShapeSummary summarize(const GivenShape& shape);
 
+/// A main surface and its pieces as one mesh, the vertices and faces of the surface first.
+TriangleMesh withPieces(TriangleMesh surface, const TriangleMesh& pieces);
+
 /// Where a place on a mesh is. \param place  of some vertex.
 Eigen::RowVector3d positionOf(const TriangleMesh& mesh, const SurfacePoint& place);
 

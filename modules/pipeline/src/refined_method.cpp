@@ -21,7 +21,7 @@
 namespace posture {
 namespace {
 
-constexpr int POOL = 32, REFINED_FINALISTS = 2, MOST_ALTERNATIVES = 4;
+constexpr int POOL = 32, MOST_ALTERNATIVES = 4;
 
 AlternativeSummary summarize(const Finalist& finalist) {
   AlternativeSummary summary;
@@ -47,6 +47,19 @@ int nearestAnswer(const std::vector<AlternativeSummary>& alternatives) {
                                         alternatives.end(),
                                         [](const auto& a, const auto& b) { return a.gap < b.gap; });
   return static_cast<int>(nearest - alternatives.begin());
+}
+
+/// Those that promise most: the first two, and one that was laid if there is any.
+std::vector<const Finalist*> leadingOf(const std::vector<Finalist>& finalists) {
+  constexpr std::size_t LEADING = 2;
+  std::vector<const Finalist*> leading;
+  bool laid = false;
+  for (const Finalist& f : finalists) {
+    if (leading.size() >= LEADING && (laid || !f.bent)) continue;
+    leading.push_back(&f);
+    laid = laid || f.bent;
+  }
+  return leading;
 }
 
 double rootArea(const GivenShape& shape) { return std::sqrt(faceAreas(shape.clean.mesh).sum()); }
@@ -116,7 +129,15 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   // Spectra and scale go astray where much is missing; surfaces laid over each other do not.
   if (finalists.empty() || !convinces(finalists.front().score.total()))
     finalists = clock.stage("laying over", 0.05, [&] {
-      return joined(std::move(finalists), layFinalists(source_coarse, target_coarse));
+      const auto places =
+          [](const SpectralSurface& surface, const CleanMesh& clean, const Pose& pose) {
+            return SurfacePlaces(withPieces(surface.mesh, posed(clean.pieces, pose)));
+          };
+      return joined(std::move(finalists),
+                    layFinalists(source_coarse,
+                                 target_coarse,
+                                 places(source_coarse, source_ordered, source_pose),
+                                 places(target_coarse, target_ordered, target_pose)));
     });
   RegistrationResult result;
   result.source = summarize(source_given, source);
@@ -130,16 +151,13 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
       distinctFinalists(finalists, target_coarse, 2 * target.samples.spacing);
   clock.show([&] { return finalistPictures(source_coarse, target_coarse, finalists, distinct); });
 
-  // The best two, as precise as the work meshes allow; the better one wins.
+  // The leading ones, as precise as the work meshes allow; the best wins.
   const auto refine = [&](const std::vector<const Finalist*>& chosen) {
     return refineFinalists(source, target, chosen).front();
   };
-  const RefinedMap best = clock.stage("refinement", 0.27, [&] {
-    std::vector<const Finalist*> leading;
-    for (const Finalist& f : finalists)
-      if (leading.size() < REFINED_FINALISTS) leading.push_back(&f);
-    return refine(leading);
-  });
+  const std::vector<const Finalist*> leading = leadingOf(finalists);
+  RefinedMap best = clock.stage("refinement", 0.27, [&] { return refine(leading); });
+  best.finalist = static_cast<int>(leading[best.finalist] - finalists.data());
   source_pose.unit *= best.scale;
   result.scale = source_pose.unit / target_pose.unit;
   clock.show([&] { return refinedPictures(source, target, best); });

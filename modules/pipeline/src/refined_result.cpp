@@ -3,7 +3,7 @@
 #include "refined_result.h"
 
 #include <posture/mesh/edges.h>
-#include <posture/mesh/normals.h>
+#include <posture/refine/partners.h>
 
 #include <algorithm>
 #include <array>
@@ -13,50 +13,6 @@ namespace posture {
 namespace {
 
 constexpr int FULL_ROUNDS = 5;
-
-/// A vertex whose match is the rim of a hole, more than an edge from where the vertex lies.
-std::vector<char> overHoles(const BendableSurface& source,
-                            const BendableSurface& target,
-                            const BentPair& pair) {
-  const double edge = meanEdgeLength(target.mesh);
-  std::vector<char> over(pair.maps.forward.size(), 0);
-  for (std::size_t v = 0; v < over.size(); ++v) {
-    const int t = pair.maps.forward[v];
-    over[v] = target.on_boundary[t] && !source.on_boundary[v] &&
-              (pair.bent_a.row(v) - target.mesh.vertices.row(t)).norm() > edge;
-  }
-  return over;
-}
-
-/// Vertices around which the bent surface looks the other way than what it lies on: a back laid on
-/// the inside of a front, where only that was seen.
-std::vector<char> onTheInside(const BendableSurface& source,
-                              const BendableSurface& target,
-                              const BentPair& pair) {
-  const int n = static_cast<int>(pair.maps.forward.size());
-  const Points normals = vertexNormals({pair.bent_a, source.mesh.faces});
-  Vector agreement(n);
-  for (int v = 0; v < n; ++v)
-    agreement[v] = normals.row(v).dot(target.normals.row(pair.maps.forward[v]));
-  std::vector<char> inside(n);
-  for (int v = 0; v < n; ++v) {
-    double around = agreement[v];
-    for (const int* w = source.neighbors.begin(v); w != source.neighbors.end(v); ++w)
-      around += agreement[*w];
-    inside[v] = around < 0;
-  }
-  return inside;
-}
-
-std::vector<char> withoutPartner(const BendableSurface& source,
-                                 const BendableSurface& target,
-                                 const FullMap& map) {
-  std::vector<char> without = overHoles(source, target, map.pair);
-  if (!map.laid) return without;
-  const std::vector<char> inside = onTheInside(source, target, map.pair);
-  for (std::size_t v = 0; v < inside.size(); ++v) without[v] |= inside[v];
-  return without;
-}
 
 /// For faces of the main surface the face they were given as.
 class GivenFaces {
@@ -122,7 +78,7 @@ FullMap toFullResolution(const RefinedShape& given_source,
   settle(a, b, softness, FULL_ROUNDS, map.pair);
   map.places = placesOnFaces(a, b, softness, map.pair);
   map.laid = refined.laid;
-  map.without_partner = withoutPartner(a, b, map);
+  map.without_partner = withoutPartner(a, b, map.pair, map.laid);
   return map;
 }
 
@@ -130,10 +86,10 @@ FullMap reversed(const RefinedShape& source, const RefinedShape& target, const F
   const BendableSurface a(target.full), b(source.full);
   const double softness = settlingSoftness(source.basis.eigenvalues, target.basis.eigenvalues);
   FullMap back;
-  back.pair = {{map.pair.maps.backward, map.pair.maps.forward}, map.pair.bent_b, map.pair.bent_a};
+  back.pair = reversed(map.pair);
   back.places = placesOnFaces(a, b, softness, back.pair);
   back.laid = map.laid;
-  back.without_partner = withoutPartner(a, b, back);
+  back.without_partner = withoutPartner(a, b, back.pair, back.laid);
   return back;
 }
 

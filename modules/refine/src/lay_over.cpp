@@ -23,7 +23,6 @@ using Block = Eigen::MatrixXf;
 /// distance of 0.3, half the thickness of a trunk.
 constexpr double NORMAL_LENGTH = 0.2;
 
-/// Reduced meshes have their vertices in farthest-point order: so many are spread evenly too.
 constexpr int PLACES = 400;
 
 constexpr int ROTATIONS = 72, RIGID_STEPS = 15, SCALED_STEPS = 15, FINAL_STEPS = 60;
@@ -38,17 +37,26 @@ constexpr double RIM_WEIGHT = 0.1;
 constexpr double SOFTNESS[] = {10, 30, 100, 300};
 constexpr int CONFORMING_STEPS = 4;
 
-struct Patch {
-  Points places;
-  Points normals;
-  std::vector<char> on_boundary;
-};
-
-Patch patchOf(const BendableSurface& surface) {
-  const auto n = std::min<Eigen::Index>(PLACES, surface.mesh.vertices.rows());
-  return {surface.mesh.vertices.topRows(n),
-          surface.normals.topRows(n),
-          {surface.on_boundary.begin(), surface.on_boundary.begin() + n}};
+/// Vertices spread evenly, from the one farthest from the middle on: each is the farthest from
+/// those before it, in space; of several the one whose place comes first.
+std::vector<int> spreadVertices(const Points& vertices) {
+  const auto before = [&](int v, int w) {
+    for (int k = 0; k < 3; ++k)
+      if (vertices(v, k) != vertices(w, k)) return vertices(v, k) < vertices(w, k);
+    return false;
+  };
+  const int n = static_cast<int>(vertices.rows());
+  Vector squared = (vertices.rowwise() - vertices.colwise().mean()).rowwise().squaredNorm();
+  std::vector<int> spread;
+  while (static_cast<int>(spread.size()) < std::min(PLACES, n)) {
+    int next = 0;
+    for (int v = 1; v < n; ++v)
+      if (squared[v] > squared[next] || (squared[v] == squared[next] && before(v, next))) next = v;
+    const Vector from_it = (vertices.rowwise() - vertices.row(next)).rowwise().squaredNorm();
+    squared = spread.empty() ? from_it : squared.cwiseMin(from_it).eval();
+    spread.push_back(next);
+  }
+  return spread;
 }
 
 /// Rotations spread evenly (super-Fibonacci spirals, Alexa 2022).
@@ -75,7 +83,9 @@ struct Pairing {
   double squared;
 };
 
-std::vector<Pairing> nearestPairs(const Patch& a, const Patch& b, const Similarity& way) {
+std::vector<Pairing> nearestPairs(const SurfacePlaces& a,
+                                  const SurfacePlaces& b,
+                                  const Similarity& way) {
   const Points places = way.of(a.places), normals = a.normals * way.rotation.transpose();
   Block fa(a.places.rows(), 6), fb(b.places.rows(), 6);
   fa << places.cast<float>(), (NORMAL_LENGTH * normals).cast<float>();
@@ -101,8 +111,8 @@ double medianSquared(const std::vector<Pairing>& pairs) {
 
 /// The similarity that best takes the first of each pair to the second (Horn 1987); a scale of
 /// both directions alike, so that matching to what is nearest does not shrink.
-Similarity bestSimilarity(const Patch& a,
-                          const Patch& b,
+Similarity bestSimilarity(const SurfacePlaces& a,
+                          const SurfacePlaces& b,
                           const std::vector<Pairing>& pairs,
                           const Vector& weight,
                           bool scaled,
@@ -133,7 +143,8 @@ Similarity bestSimilarity(const Patch& a,
   return way;
 }
 
-void closestPoints(const Patch& a, const Patch& b, int steps, bool scaled, Laying& laying) {
+void closestPoints(
+    const SurfacePlaces& a, const SurfacePlaces& b, int steps, bool scaled, Laying& laying) {
   for (int step = 0; step < steps; ++step) {
     const std::vector<Pairing> pairs = nearestPairs(a, b, laying.way);
     const double usual = medianSquared(pairs);
@@ -190,6 +201,15 @@ void pullRobustly(const BendableSurface& from,
 
 }  // namespace
 
+SurfacePlaces::SurfacePlaces(const TriangleMesh& mesh) {
+  const std::vector<int> spread = spreadVertices(mesh.vertices);
+  const std::vector<char> rim =
+      boundaryVertices(mesh.faces, static_cast<int>(mesh.vertices.rows()));
+  places = mesh.vertices(spread, Eigen::all);
+  normals = vertexNormals(mesh)(spread, Eigen::all);
+  for (const int v : spread) on_boundary.push_back(rim[v]);
+}
+
 Points Similarity::of(const Points& points) const {
   return (scale * points * rotation.transpose()).rowwise() + translation;
 }
@@ -198,14 +218,13 @@ Points Similarity::inverseOf(const Points& points) const {
   return ((points.rowwise() - translation) * rotation) / scale;
 }
 
-std::vector<Similarity> layOver(const BendableSurface& a, const BendableSurface& b, int most) {
-  const Patch patch_a = patchOf(a), patch_b = patchOf(b);
+std::vector<Similarity> layOver(const SurfacePlaces& a, const SurfacePlaces& b, int most) {
   const std::vector<Eigen::Matrix3d> starts = evenRotations(ROTATIONS);
   std::vector<Laying> layings(starts.size());
   parallelFor(static_cast<int>(starts.size()), [&](int i) {
     layings[i].way.rotation = starts[i];
-    closestPoints(patch_a, patch_b, RIGID_STEPS, false, layings[i]);
-    closestPoints(patch_a, patch_b, SCALED_STEPS, true, layings[i]);
+    closestPoints(a, b, RIGID_STEPS, false, layings[i]);
+    closestPoints(a, b, SCALED_STEPS, true, layings[i]);
   });
   std::stable_sort(layings.begin(), layings.end(), [](const Laying& x, const Laying& y) {
     return x.cost < y.cost;
@@ -213,14 +232,14 @@ std::vector<Similarity> layOver(const BendableSurface& a, const BendableSurface&
   std::vector<Laying> kept;
   for (const Laying& laying : layings) {
     if (static_cast<int>(kept.size()) >= most) break;
-    const Points places = laying.way.of(patch_a.places);
+    const Points places = laying.way.of(a.places);
     if (std::none_of(kept.begin(), kept.end(), [&](const Laying& known) {
-          return (places - known.way.of(patch_a.places)).rowwise().norm().mean() < SAME_WAY;
+          return (places - known.way.of(a.places)).rowwise().norm().mean() < SAME_WAY;
         }))
       kept.push_back(laying);
   }
   parallelFor(static_cast<int>(kept.size()),
-              [&](int i) { closestPoints(patch_a, patch_b, FINAL_STEPS, true, kept[i]); });
+              [&](int i) { closestPoints(a, b, FINAL_STEPS, true, kept[i]); });
   std::vector<Similarity> ways;
   for (const Laying& laying : kept) ways.push_back(laying.way);
   return ways;

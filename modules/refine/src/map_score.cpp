@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/refine/map_score.h>
+#include <posture/refine/partners.h>
 
 #include <Eigen/Geometry>
 
@@ -120,6 +121,43 @@ double oneWayOrientation(const SpectralSurface& a,
   return area > 0 ? vote / area : 0;
 }
 
+Vector beliefLaid(const SpectralSurface& from, const SpectralSurface& to, const BentPair& laid) {
+  Vector believed = belief(from, to, laid.maps.forward);
+  const std::vector<char> without = withoutPartner(from, to, laid, true);
+  for (std::size_t v = 0; v < without.size(); ++v)
+    if (without[v] != 0) believed[static_cast<Eigen::Index>(v)] = 0;
+  return believed;
+}
+
+MapScore score(const SpectralSurface& a,
+               const SpectralSurface& b,
+               const VertexMaps& maps,
+               const Vector& believed_a,
+               const Vector& believed_b) {
+  const Vector mass_a = a.laplacian.mass.cwiseProduct(believed_a),
+               mass_b = b.laplacian.mass.cwiseProduct(believed_b);
+  MapScore result;
+  const int k = basisSize(a, b, BENDING_BASIS);
+  const double softness = eigenvalueAt(a, b, k);
+  const double covered =
+      std::min(mass_a.sum() / a.laplacian.mass.sum(), mass_b.sum() / b.laplacian.mass.sum());
+  result.bending = 0.5 *
+                   (bendingEnergy(a, b, maps.forward, believed_a, k, softness) +
+                    bendingEnergy(b, a, maps.backward, believed_b, k, softness)) /
+                   std::max(covered, LEAST_COVERED);
+
+  const int detail = basisSize(a, b, DETAIL_BASIS);
+  const Vector curvature_a = meanCurvature(a, detail), curvature_b = meanCurvature(b, detail);
+  result.curvature =
+      1 - 0.5 * (correlation(curvature_a, rowsAt(curvature_b, maps.forward), mass_a) +
+                 correlation(curvature_b, rowsAt(curvature_a, maps.backward), mass_b));
+  result.distortion = 0.5 * (distanceChange(a, b, maps.forward, believed_a) +
+                             distanceChange(b, a, maps.backward, believed_b));
+  result.return_miss = 0.5 * (returnMiss(a, maps.forward, maps.backward, believed_a) +
+                              returnMiss(b, maps.backward, maps.forward, believed_b));
+  return result;
+}
+
 }  // namespace
 
 double MapScore::total() const {
@@ -134,29 +172,11 @@ double MapScore::total() const {
 }
 
 MapScore scoreMaps(const SpectralSurface& a, const SpectralSurface& b, const VertexMaps& maps) {
-  const Vector believed_a = belief(a, b, maps.forward), believed_b = belief(b, a, maps.backward);
-  const Vector mass_a = a.laplacian.mass.cwiseProduct(believed_a),
-               mass_b = b.laplacian.mass.cwiseProduct(believed_b);
-  MapScore score;
-  const int k = basisSize(a, b, BENDING_BASIS);
-  const double softness = eigenvalueAt(a, b, k);
-  const double covered =
-      std::min(mass_a.sum() / a.laplacian.mass.sum(), mass_b.sum() / b.laplacian.mass.sum());
-  score.bending = 0.5 *
-                  (bendingEnergy(a, b, maps.forward, believed_a, k, softness) +
-                   bendingEnergy(b, a, maps.backward, believed_b, k, softness)) /
-                  std::max(covered, LEAST_COVERED);
+  return score(a, b, maps, belief(a, b, maps.forward), belief(b, a, maps.backward));
+}
 
-  const int detail = basisSize(a, b, DETAIL_BASIS);
-  const Vector curvature_a = meanCurvature(a, detail), curvature_b = meanCurvature(b, detail);
-  score.curvature =
-      1 - 0.5 * (correlation(curvature_a, rowsAt(curvature_b, maps.forward), mass_a) +
-                 correlation(curvature_b, rowsAt(curvature_a, maps.backward), mass_b));
-  score.distortion = 0.5 * (distanceChange(a, b, maps.forward, believed_a) +
-                            distanceChange(b, a, maps.backward, believed_b));
-  score.return_miss = 0.5 * (returnMiss(a, maps.forward, maps.backward, believed_a) +
-                             returnMiss(b, maps.backward, maps.forward, believed_b));
-  return score;
+MapScore scoreLaid(const SpectralSurface& a, const SpectralSurface& b, const BentPair& laid) {
+  return score(a, b, laid.maps, beliefLaid(a, b, laid), beliefLaid(b, a, reversed(laid)));
 }
 
 double orientation(const SpectralSurface& a, const SpectralSurface& b, const VertexMaps& maps) {

@@ -184,6 +184,10 @@ Points prolong(const TriangleMesh& full,
 
 }  // namespace
 
+BentPair reversed(const BentPair& pair) {
+  return {{pair.maps.backward, pair.maps.forward}, pair.bent_b, pair.bent_a};
+}
+
 void settle(const BendableSurface& a,
             const BendableSurface& b,
             double softness,

@@ -19,12 +19,22 @@ struct Similarity {
   Points inverseOf(const Points& points) const;
 };
 
+/// Places spread evenly over a surface, which may be in pieces. They do not depend on the order of
+/// its vertices.
+struct SurfacePlaces {
+  explicit SurfacePlaces(const TriangleMesh& mesh);
+
+  Points places;
+  Points normals;                 ///< unit
+  std::vector<char> on_boundary;  ///< of the surface or of a piece
+};
+
 /// The different ways to lay surface a over surface b without bending it, at most `most`, by
 /// increasing mean distance of places and normals. Iterated closest points (Besl and McKay 1992)
 /// from rotations spread evenly over all, both directions, far pairs and rims counting less. What
 /// is the same in both poses - a trunk, a piece seen from one side - falls into place however much
 /// of the rest is missing.
-std::vector<Similarity> layOver(const BendableSurface& a, const BendableSurface& b, int most);
+std::vector<Similarity> layOver(const SurfacePlaces& a, const SurfacePlaces& b, int most);
 
 /// Bends two surfaces onto each other that have been laid over each other: from stiff to soft,
 /// each vertex drawn to what is nearest in both poses, places and normals; what lies far from

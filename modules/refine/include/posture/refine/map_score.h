@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <posture/refine/settle.h>
 #include <posture/refine/surface.h>
 
 namespace posture {
@@ -24,6 +25,10 @@ constexpr double SCORE_NOISE = 0.1;
 
 /// \pre  any prefix of each surface's vertices is spread evenly (as reduceMesh() orders them).
 MapScore scoreMaps(const SpectralSurface& a, const SpectralSurface& b, const VertexMaps& maps);
+
+/// The same for surfaces that were laid over each other: places without a counterpart
+/// (withoutPartner()) do not count either.
+MapScore scoreLaid(const SpectralSurface& a, const SpectralSurface& b, const BentPair& laid);
 
 /// Whether a map keeps the outside out: over the mapped faces of both surfaces, the mean sign of
 /// their normal against that of the surface they come to lie on, weighted by area. 1: every face

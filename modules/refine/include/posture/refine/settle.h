@@ -14,6 +14,9 @@ struct BentPair {
   Points bent_b;  ///< b's vertices on a
 };
 
+/// The same with the surfaces exchanged.
+BentPair reversed(const BentPair& pair);
+
 /// Lets two surfaces that lie nearly on each other settle: in turn bends each as rigidly as
 /// possible towards its image, to places in faces, and moves each vertex's match along the other
 /// surface to where places and normals agree best, seen from both sides at once.
