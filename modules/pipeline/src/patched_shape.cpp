@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "patched_shape.h"
 
+#include <posture/mesh/bridge_pieces.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/hole_patches.h>
 
@@ -102,10 +103,21 @@ bool isTurnedRound(const CleanMesh& before, const CleanMesh& after) {
   return false;
 }
 
+/// Cleans a side after surface was put in.
+void cleanAgain(const CleanMesh& before, PatchedShape& patched) {
+  patched.clean = cleanMesh(patched.input);
+  // Closed, it may have been turned outwards; the other side may still be open and as it was.
+  if (isTurnedRound(before, patched.clean))
+    patched.clean.mesh.faces.col(1).swap(patched.clean.mesh.faces.col(2));
+}
+
 /// What was given, and what was done with it.
-ShapeSummary summaryWithout(const GivenShape& given, int holes, const ShapeSummary& patched) {
+ShapeSummary summaryWithout(const GivenShape& given,
+                            const PatchedShape& shape,
+                            const ShapeSummary& patched) {
   ShapeSummary summary = summarize(given);
-  summary.patched_holes = holes;
+  summary.patched_holes = shape.holes;
+  summary.joined_pieces = shape.pieces;
   summary.parted_contacts = patched.parted_contacts;
   summary.samples = patched.samples;
   summary.stress = patched.stress;
@@ -133,11 +145,28 @@ PatchedShape withPatches(const TriangleMesh& input, const CleanMesh& clean) {
       patched.input.faces(m + f, c) =
           v < of_clean ? ordered.input_vertex[v] : static_cast<int>(n) + v - of_clean;
     }
-  patched.clean = cleanMesh(patched.input);
-  // Closed, it may have been turned outwards; the other side may still be open and as it was.
-  if (isTurnedRound(clean, patched.clean))
-    patched.clean.mesh.faces.col(1).swap(patched.clean.mesh.faces.col(2));
+  cleanAgain(clean, patched);
   return patched;
+}
+
+PatchedShape withBridges(const TriangleMesh& input, const CleanMesh& clean) {
+  PatchedShape joined{input, clean};
+  if (clean.pieces.faces.rows() == 0) return joined;
+  const Pose pose = poseOf(clean.mesh, 1 / std::sqrt(faceAreas(clean.mesh).sum()));
+  const auto n = clean.mesh.vertices.rows(), m = input.faces.rows();
+  const Bridges bridges =
+      bridgePieces(withPieces(posed(clean.mesh, pose), posed(clean.pieces, pose)));
+  joined.pieces = bridges.pieces;
+  if (bridges.pieces == 0) return joined;
+  joined.input.faces.conservativeResize(m + bridges.faces.rows(), 3);
+  for (Eigen::Index f = 0; f < bridges.faces.rows(); ++f)
+    for (int c = 0; c < 3; ++c) {
+      const int v = bridges.faces(f, c);
+      joined.input.faces(m + f, c) =
+          v < n ? clean.input_vertex[v] : clean.piece_vertex[v - static_cast<int>(n)];
+    }
+  cleanAgain(clean, joined);
+  return joined;
 }
 
 void leaveOutPatches(const GivenShape& source,
@@ -145,7 +174,9 @@ void leaveOutPatches(const GivenShape& source,
                      const GivenShape& target,
                      const PatchedShape& target_patched,
                      RegistrationResult& result) {
-  if (source_patched.holes == 0 && target_patched.holes == 0) return;
+  if (source_patched.input.faces.rows() == source.input.faces.rows() &&
+      target_patched.input.faces.rows() == target.input.faces.rows())
+    return;
   const WithoutPatches on_source(source.input, source_patched),
       on_target(target.input, target_patched);
   trim(on_source, on_target, result.correspondence);
@@ -161,8 +192,8 @@ void leaveOutPatches(const GivenShape& source,
     for (int& v : alternative.target_vertex)
       if (v >= 0) v = on_target.vertex(v);
   }
-  result.source = summaryWithout(source, source_patched.holes, result.source);
-  result.target = summaryWithout(target, target_patched.holes, result.target);
+  result.source = summaryWithout(source, source_patched, result.source);
+  result.target = summaryWithout(target, target_patched, result.target);
   if (result.status == Status::REGISTERED) result.message = mappedMessage(result);
 }
 

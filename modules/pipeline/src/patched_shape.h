@@ -6,20 +6,25 @@
 
 namespace posture {
 
-/// A side whose holes are closed where the surface goes on across them: distances and spectra are
-/// then those of the body, not of what was seen of it. The vertices and faces of the input come
-/// first, those of the patches follow.
+/// A side with surface put in where it was not seen: distances and spectra are then those of the
+/// body, not of what was seen of it. The vertices and faces of the input come first, those of the
+/// patches follow.
 struct PatchedShape {
   TriangleMesh input;
   CleanMesh clean;
   int vertices = 0;  ///< of the patches
   int holes = 0;     ///< that were closed
   double rims = 0;   ///< length of their rims, over the square root of the area
+  int pieces = 0;    ///< that were joined to the main surface
 
   GivenShape given() const { return {input, clean, vertices}; }
 };
 
+/// With holes closed where the surface goes on across them (patchHoles()).
 PatchedShape withPatches(const TriangleMesh& input, const CleanMesh& clean);
+
+/// With pieces joined to the main surface across narrow gaps (bridgePieces()).
+PatchedShape withBridges(const TriangleMesh& input, const CleanMesh& clean);
 
 /// Takes the patches out of a result: their vertices have no row, and what lies on one by more than
 /// an edge has no counterpart.

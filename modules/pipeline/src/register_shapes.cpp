@@ -103,12 +103,36 @@ RegistrationResult registerPatched(const GivenShape& source,
   }
 }
 
+/// For surfaces in pieces: joined where the gaps between them are narrow, they may tell more.
+void addJoinedAttempt(const GivenShape& source,
+                      const GivenShape& target,
+                      const RegistrationOptions& options,
+                      StageClock& clock,
+                      std::vector<RegistrationResult>& attempts) {
+  const auto [source_joined, target_joined] = clock.stage("joining", 0, [&] {
+    return std::pair(withBridges(source.input, source.clean),
+                     withBridges(target.input, target.clean));
+  });
+  if (source_joined.pieces == 0 && target_joined.pieces == 0) return;
+  try {
+    RegistrationResult attempt =
+        clock.attempt("joined", 0, [&, &a = source_joined, &b = target_joined] {
+          return refinedMethod(a.given(), b.given(), options, clock);
+        });
+    leaveOutPatches(source, source_joined, target, target_joined, attempt);
+    attempts.push_back(std::move(attempt));
+  } catch (const std::runtime_error&) {  // the main surfaces are still there
+    if (clock.isStopped()) throw;
+  }
+}
+
 /// What was found on a part of a surface, and all of it otherwise.
 ShapeSummary withPart(ShapeSummary whole, const ShapeSummary& part) {
   whole.compared_share = part.area / whole.area;
   whole.samples = part.samples;
   whole.stress = part.stress;
   whole.patched_holes = part.patched_holes;
+  whole.joined_pieces = part.joined_pieces;
   whole.parted_contacts = part.parted_contacts;
   return whole;
 }
@@ -161,7 +185,9 @@ RegistrationResult registerMeshes(const TriangleMesh& source_mesh,
 
   std::vector<RegistrationResult> attempts;
   attempts.push_back(registerPatched(source, target, options, clock));
-  if (!looksAlike(attempts.front())) addPieceAttempts(source, target, options, clock, attempts);
+  if (!looksAlike(attempts.front())) addJoinedAttempt(source, target, options, clock, attempts);
+  if (std::none_of(attempts.begin(), attempts.end(), looksAlike))
+    addPieceAttempts(source, target, options, clock, attempts);
   return bestAttempt(std::move(attempts), target_mesh, options);
 }
 

@@ -180,6 +180,7 @@ std::string shapes(const RegistrationResult& result, const RunDescription& run) 
   count("Vertices of the main surface", a.clean_vertices, b.clean_vertices);
   count("Boundary edges", a.boundary_edges, b.boundary_edges);
   count("Holes closed for the search", a.patched_holes, b.patched_holes);
+  count("Pieces joined for the search", a.joined_pieces, b.joined_pieces);
   count("Contacts cut open", a.parted_contacts, b.parted_contacts);
   add("Area", formatShort(a.area), formatShort(b.area));
   if (std::min(a.compared_share, b.compared_share) < 1)

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/connected_parts.h>
+#include <posture/mesh/normals.h>
+#include <posture/pipeline/register_shapes.h>
+#include <posture/synthesis/articulated_body.h>
+
+#include <gtest/gtest.h>
+
+#include "patched_shape.h"
+#include "support/shapes.h"
+#include <cmath>
+
+namespace posture {
+namespace {
+
+ArticulatedBody person(int pose, int tessellation) {
+  BodyOptions options;
+  options.kind = BodyKind::HUMAN;
+  options.pose = pose;
+  options.vertices = 2500;
+  options.tessellation = tessellation;
+  return makeBody(options);
+}
+
+/// Divided in two or more by a narrow gap across z, at a share of the height.
+TriangleMesh divided(TriangleMesh mesh, double share) {
+  const double low = mesh.vertices.col(2).minCoeff(), high = mesh.vertices.col(2).maxCoeff();
+  const double z = low + share * (high - low), half = 0.01 * (high - low);
+  int kept = 0;
+  for (int f = 0; f < mesh.faces.rows(); ++f) {
+    bool inside = false;
+    for (int k = 0; k < 3; ++k)
+      inside = inside || std::abs(mesh.vertices(mesh.faces(f, k), 2) - z) < half;
+    if (!inside) mesh.faces.row(kept++) = mesh.faces.row(f).eval();
+  }
+  mesh.faces.conservativeResize(kept, 3);
+  return mesh;
+}
+
+TEST(WithBridges, joinsThePiecesOfABodyAndKeepsWhatWasGiven) {
+  const TriangleMesh apart = divided(person(0, 0).mesh, 0.5);
+  const CleanMesh clean = cleanMesh(apart);
+  ASSERT_EQ(clean.summary.components, 2);
+  const PatchedShape joined = withBridges(apart, clean);
+  EXPECT_EQ(joined.pieces, 1);
+  EXPECT_EQ(joined.vertices, 0);
+  EXPECT_EQ(joined.input.vertices, apart.vertices);
+  ASSERT_GT(joined.input.faces.rows(), apart.faces.rows());
+  EXPECT_EQ(joined.input.faces.topRows(apart.faces.rows()), apart.faces);
+  EXPECT_EQ(joined.clean.summary.components, 1);
+  EXPECT_EQ(joined.clean.pieces.faces.rows(), 0);
+  EXPECT_EQ(joined.clean.summary.flipped_faces, 0);
+}
+
+TEST(WithBridges, leavesOneSurfaceAsItIs) {
+  const TriangleMesh whole = person(0, 0).mesh;
+  const PatchedShape same = withBridges(whole, cleanMesh(whole));
+  EXPECT_EQ(same.pieces, 0);
+  EXPECT_EQ(same.input.faces, whole.faces);
+}
+
+TEST(WithPatches, doesNotTurnASurfaceRoundThatItCloses) {
+  // Open and inside out, which nothing tells; closed, its volume would.
+  TriangleMesh ball = test::sphere(4);
+  int kept = 0;
+  for (int f = 0; f < ball.faces.rows(); ++f)
+    if (ball.vertices(ball.faces(f, 0), 2) < 0.97)
+      ball.faces.row(kept++) = ball.faces.row(f).eval();
+  ball.faces.conservativeResize(kept, 3);
+  ball.faces.col(0).swap(ball.faces.col(1));
+  const CleanMesh clean = cleanMesh(ball);
+  const PatchedShape patched = withPatches(ball, clean);
+  ASSERT_EQ(patched.holes, 1);
+  const Points before = vertexNormals(clean.mesh), after = vertexNormals(patched.clean.mesh);
+  for (int v = 0; v < before.rows(); ++v)
+    EXPECT_GT(before.row(v).dot(after.row(patched.clean.clean_vertex[clean.input_vertex[v]])), 0.5);
+}
+
+TEST(RegisterShapes, aBodyInPiecesIsRegisteredWithThemJoined) {
+  // The largest piece of the one is the legs, that of the other all above the knees.
+  const ArticulatedBody body = person(0, 0), other = person(1, 1);
+  const TriangleMesh source = divided(body.mesh, 0.5), target = divided(other.mesh, 0.7);
+  const RegistrationResult result = registerShapes(source, target);
+  std::cout << result.message << " " << result.trust << " " << result.score << " pieces "
+            << result.source.joined_pieces << " " << result.target.joined_pieces << "\n";
+  double sum = 0;
+  int count = 0;
+  for (const VertexPair& pair : groundTruth(body, other)) {
+    const SurfacePoint& place = result.correspondence.on_target[pair.source];
+    EXPECT_LT(place.face, target.faces.rows());
+    if (place.vertex < 0) continue;
+    sum += (target.vertices.row(place.vertex) - target.vertices.row(pair.target)).norm();
+    ++count;
+  }
+  std::cout << count << " of " << source.vertices.rows() << " error " << sum / count << "\n";
+}
+
+}  // namespace
+}  // namespace posture
