@@ -78,12 +78,14 @@ TEST(WithPatches, doesNotTurnASurfaceRoundThatItCloses) {
 }
 
 TEST(RegisterShapes, aBodyInPiecesIsRegisteredWithThemJoined) {
-  // The largest piece of the one is the legs, that of the other all above the knees.
+  // The largest piece of the one is all above the hips, that of the other all below the shoulders.
   const ArticulatedBody body = person(0, 0), other = person(1, 1);
   const TriangleMesh source = divided(body.mesh, 0.5), target = divided(other.mesh, 0.7);
   const RegistrationResult result = registerShapes(source, target);
-  std::cout << result.message << " " << result.trust << " " << result.score << " pieces "
-            << result.source.joined_pieces << " " << result.target.joined_pieces << "\n";
+  EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
+  EXPECT_GE(result.source.joined_pieces, 1);
+  EXPECT_GE(result.target.joined_pieces, 1);
+  EXPECT_EQ(result.source.faces, source.faces.rows());
   double sum = 0;
   int count = 0;
   for (const VertexPair& pair : groundTruth(body, other)) {
@@ -93,7 +95,8 @@ TEST(RegisterShapes, aBodyInPiecesIsRegisteredWithThemJoined) {
     sum += (target.vertices.row(place.vertex) - target.vertices.row(pair.target)).norm();
     ++count;
   }
-  std::cout << count << " of " << source.vertices.rows() << " error " << sum / count << "\n";
+  EXPECT_GT(count, 0.95 * static_cast<double>(source.vertices.rows()));
+  EXPECT_LT(sum / count, 0.02);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "whole_source.h"
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace posture {
@@ -60,6 +61,18 @@ std::vector<const Finalist*> leadingOf(const std::vector<Finalist>& finalists) {
     laid = laid || f.bent;
   }
   return leading;
+}
+
+bool anyLaid(const std::vector<RefinedMap>& refined) {
+  return std::any_of(refined.begin(), refined.end(), [](const RefinedMap& m) { return m.laid; });
+}
+
+/// That of the best map made of a finalist, where some were laid over each other.
+std::optional<double> refinedScore(const std::vector<RefinedMap>& refined, int finalist) {
+  if (!anyLaid(refined)) return std::nullopt;
+  for (const RefinedMap& map : refined)
+    if (map.finalist == finalist) return map.score.total();
+  return std::nullopt;
 }
 
 double rootArea(const GivenShape& shape) { return std::sqrt(faceAreas(shape.clean.mesh).sum()); }
@@ -152,12 +165,14 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   clock.show([&] { return finalistPictures(source_coarse, target_coarse, finalists, distinct); });
 
   // The leading ones, as precise as the work meshes allow; the best wins.
-  const auto refine = [&](const std::vector<const Finalist*>& chosen) {
-    return refineFinalists(source, target, chosen).front();
-  };
-  const std::vector<const Finalist*> leading = leadingOf(finalists);
-  RefinedMap best = clock.stage("refinement", 0.27, [&] { return refine(leading); });
-  best.finalist = static_cast<int>(leading[best.finalist] - finalists.data());
+  const std::vector<RefinedMap> refined = clock.stage("refinement", 0.27, [&] {
+    const std::vector<const Finalist*> leading = leadingOf(finalists);
+    std::vector<RefinedMap> maps = refineFinalists(source, target, leading);
+    for (RefinedMap& map : maps)
+      map.finalist = static_cast<int>(leading[map.finalist] - finalists.data());
+    return maps;
+  });
+  const RefinedMap& best = refined.front();
   source_pose.unit *= best.scale;
   result.scale = source_pose.unit / target_pose.unit;
   clock.show([&] { return refinedPictures(source, target, best); });
@@ -168,6 +183,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
     for (int i : distinct) {
       if (static_cast<int>(result.alternatives.size()) >= MOST_ALTERNATIVES) break;
       AlternativeSummary summary = summarize(finalists[i]);
+      summary.refined_score = refinedScore(refined, i);
       summary.gap = gapBetween(target_coarse, winner, finalists[i].maps);
       summary.target_vertex =
           coarseToInput(finalists[i].maps, source_given, source, target_given, target);
@@ -175,6 +191,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
     }
     result.chosen = nearestAnswer(result.alternatives);
     result.score = best.score.total();
+    if (anyLaid(refined)) result.alternatives[result.chosen].refined_score = result.score;
     result.trust = trustIn(result);
     FullMap map = toFullResolution(source, target, best);
     result.correspondence = correspondenceOf(source_given, source, target_given, map, result.trust);
@@ -209,12 +226,13 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
         if (static_cast<int>(k) == result.chosen) continue;
         AlternativeSummary& other = result.alternatives[k];
         const double likelihood = std::exp(std::min(0.0, -marginBefore(result, other)));
-        other.correspondence =
-            correspondenceOf(source_given,
-                             source,
-                             target_given,
-                             toFullResolution(source, target, refine({&finalists[distinct[k]]})),
-                             result.trust * likelihood);
+        other.correspondence = correspondenceOf(
+            source_given,
+            source,
+            target_given,
+            toFullResolution(
+                source, target, refineFinalists(source, target, {&finalists[distinct[k]]}).front()),
+            result.trust * likelihood);
       }
       return 0;
     });

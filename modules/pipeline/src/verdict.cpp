@@ -29,8 +29,8 @@ double likenessOf(double score) { return 1 / (1 + std::exp((score - EVEN_SCORE) 
 int rivalOf(const RegistrationResult& result) {
   int rival = -1;
   for (int k = 0; k < static_cast<int>(result.alternatives.size()); ++k)
-    if (k != result.chosen &&
-        (rival < 0 || result.alternatives[k].score < result.alternatives[rival].score))
+    if (k != result.chosen && (rival < 0 || marginBefore(result, result.alternatives[k]) <
+                                                marginBefore(result, result.alternatives[rival])))
       rival = k;
   return rival;
 }
@@ -57,7 +57,10 @@ std::string mappedMessage(const RegistrationResult& result) {
 }
 
 double marginBefore(const RegistrationResult& result, const AlternativeSummary& other) {
-  return other.score - result.alternatives[result.chosen].score;
+  const AlternativeSummary& chosen = result.alternatives[result.chosen];
+  if (other.refined_score && chosen.refined_score)
+    return *other.refined_score - *chosen.refined_score;
+  return other.score - chosen.score;
 }
 
 bool convinces(double score) { return score < EVEN_SCORE; }

@@ -16,8 +16,8 @@ std::string mappedMessage(const RegistrationResult& result);
 /// distances on them agree under it.
 void givePublishedVerdict(RegistrationResult& result);
 
-/// By how much the chosen answer scores better than another one; negative: the other one looked
-/// better before both were refined.
+/// By how much the chosen answer scores better than another one, refined where both scores of that
+/// are known; negative: the other one looked better before both were refined.
 double marginBefore(const RegistrationResult& result, const AlternativeSummary& other);
 
 /// How far the score of the map and its margin before the next different one speak for it, in

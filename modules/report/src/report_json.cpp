@@ -93,6 +93,8 @@ Json describe(const AlternativeSummary& alternative, bool chosen) {
   return {{"chosen", chosen},
           {"distance_from_chosen", number(alternative.gap)},
           {"score", number(alternative.score)},
+          {"refined_score",
+           alternative.refined_score ? number(*alternative.refined_score) : Json(nullptr)},
           {"bending", number(alternative.bending)},
           {"curvature_disagreement", number(alternative.curvature)},
           {"distance_distortion", number(alternative.distortion)},
