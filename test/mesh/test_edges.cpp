@@ -66,5 +66,14 @@ TEST(Edges, medianRatioIsThatOfMostEdges) {
   EXPECT_EQ(medianEdgeRatio({mesh.vertices, Faces(0, 3)}, places), 1);
 }
 
+TEST(Edges, scaleIsNotThatOfNoise) {
+  const TriangleMesh mesh = test::sphere(4);
+  const Points noise =
+      0.2 * meanEdgeLength(mesh) * test::randomPoints(static_cast<int>(mesh.vertices.rows()), 3);
+  const Points noisy = 2.5 * (mesh.vertices + noise);
+  EXPECT_GT(medianEdgeRatio(mesh, noisy), 2.5 * 1.005);
+  EXPECT_NEAR(scaleWithoutNoise(mesh, noisy), 2.5, 2.5 * 0.002);
+}
+
 }  // namespace
 }  // namespace posture

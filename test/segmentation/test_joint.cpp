@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "joint.h"
-#include "moments.h"
 #include <cmath>
 
 namespace posture {
@@ -13,68 +12,71 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Places all over a round limb along x, from one end to the other.
-Points limb(double from, double to, double radius) {
+/// A round limb along x, from one end to the other.
+Stiffness limb(double from, double to, double radius) {
   constexpr int COUNT = 2000;
-  Points places(COUNT, 3);
+  Stiffness limb;
   for (int i = 0; i < COUNT; ++i) {
     const double around = 2.4 * i;  // the golden angle
-    places.row(i) << from + (to - from) * (i + 0.5) / COUNT, radius * std::cos(around),
-        radius * std::sin(around);
+    const Vector3d normal(0, std::cos(around), std::sin(around));
+    limb.add(Vector3d(from + (to - from) * (i + 0.5) / COUNT, 0, 0) + radius * normal, normal, 0.5);
   }
-  return places;
+  return limb;
 }
 
-struct Bodies {
-  Mass mass[2];
-  Moments together, apart[2];
-
-  /// The second one turns by `turn` about an axis through `joint`, both by something else besides.
-  Bodies(
-      const Points& a, const Points& b, double turn, const Vector3d& axis, const Vector3d& joint) {
-    const Eigen::Isometry3d common =
-        Eigen::Translation3d(1, 2, -3) * Eigen::AngleAxisd(2, Vector3d(1, -1, 2).normalized());
-    const Eigen::Isometry3d own = common * Eigen::Translation3d(joint) *
-                                  Eigen::AngleAxisd(turn, axis.normalized()) *
-                                  Eigen::Translation3d(-joint);
-    const Points* places[] = {&a, &b};
-    for (int k = 0; k < 2; ++k)
-      for (const auto& row : places[k]->rowwise()) {
-        const Vector3d p = row;
-        mass[k].add(p, 0.5);
-        apart[k].add(p, (k == 0 ? common : own) * p, 0.5);
-      }
-    together.add(apart[0]);
-    together.add(apart[1]);
+/// What is found of a turn of the second one, where both move somewhere else besides.
+double turnFound(const Stiffness& a,
+                 const Stiffness& b,
+                 double turn,
+                 const Vector3d& axis,
+                 double along,
+                 bool other_way = false) {
+  const Vector3d place(0.1, 0, 0);
+  const Eigen::Isometry3d common =
+      Eigen::Translation3d(1, 2, -3) * Eigen::AngleAxisd(2, Vector3d(1, -1, 2).normalized());
+  const Eigen::Isometry3d own = common * Eigen::Translation3d(place) *
+                                Eigen::AngleAxisd(turn, axis.normalized()) *
+                                Eigen::Translation3d(-place);
+  if (other_way) {
+    const Joint joint(place, b.about(place, along), a.about(place, along));
+    return joint.turn(joint.cost(own, common));
   }
-
-  double cost() const { return together.misfit() - apart[0].misfit() - apart[1].misfit(); }
-};
+  const Joint joint(place, a.about(place, along), b.about(place, along));
+  return joint.turn(joint.cost(common, own));
+}
 
 TEST(Joint, TellsTheTurnFromItsCost) {
-  const Vector3d joint(0, 0, 0);
-  for (const double length : {0.2, 1.0, 5.0})
-    for (const double turn : {0.02, 0.2, 0.5}) {
-      const Bodies bodies(limb(-1, 0, 0.1), limb(0, length, 0.1), turn, {0, 1, 1}, joint);
-      const double found = turnOf(bodies.mass[0], bodies.mass[1], joint, bodies.cost());
-      EXPECT_NEAR(found / turn, 1, 0.1) << length;
-      const double other_way = turnOf(bodies.mass[1], bodies.mass[0], joint, bodies.cost());
-      EXPECT_NEAR(other_way, found, 1e-9);
-    }
+  for (const double along : {1.0, 0.01})
+    for (const double length : {0.2, 1.0, 5.0})
+      for (const double turn : {0.02, 0.2, 0.5}) {
+        const Stiffness a = limb(-1, 0.1, 0.1), b = limb(0.1, 0.1 + length, 0.1);
+        const double found = turnFound(a, b, turn, {0, 1, 1}, along);
+        EXPECT_NEAR(found / turn, 1, 0.01) << length;
+        EXPECT_NEAR(turnFound(a, b, turn, {0, 1, 1}, along, true), found, 1e-9);
+      }
 }
 
 TEST(Joint, TakesATwistForLittle) {
-  const Vector3d joint(0, 0, 0);
-  const Bodies bodies(limb(-1, 0, 0.1), limb(0, 1, 0.1), 0.2, {1, 0, 0}, joint);
-  const double found = turnOf(bodies.mass[0], bodies.mass[1], joint, bodies.cost());
-  EXPECT_GT(found, 0);
-  EXPECT_LT(found, 0.1);
+  const Stiffness a = limb(-1, 0.1, 0.1), b = limb(0.1, 1.1, 0.1);
+  const double seen = turnFound(a, b, 0.2, {1, 0, 0}, 1),
+               hardly_seen = turnFound(a, b, 0.2, {1, 0, 0}, 0.01);
+  EXPECT_GT(hardly_seen, 0);
+  EXPECT_LT(seen, 0.1);
+  EXPECT_LT(hardly_seen, 0.2 * seen);
 }
 
 TEST(Joint, OfWhatMovesAsOneDoesNotTurn) {
-  const Vector3d joint(0, 0, 0);
-  const Bodies bodies(limb(-1, 0, 0.1), limb(0, 1, 0.1), 0, {0, 1, 0}, joint);
-  EXPECT_LT(turnOf(bodies.mass[0], bodies.mass[1], joint, std::max(0.0, bodies.cost())), 1e-5);
+  EXPECT_LT(turnFound(limb(-1, 0.1, 0.1), limb(0.1, 1.1, 0.1), 0, {0, 1, 0}, 1), 1e-5);
+}
+
+TEST(Stiffness, IsWhatItCostsToMoveOffTheSurface) {
+  Stiffness plate;  // in the plane of x and y
+  for (int x : {-1, 1})
+    for (int y : {-1, 1}) plate.add({double(x), double(y), 3}, {0, 0, 1}, 0.25);
+  const Matrix6 m = plate.about({0, 0, 3}, 0.01);
+  Vector6 expected;
+  expected << 1, 1, 0.02, 0.01, 0.01, 1;  // turns, then shifts
+  EXPECT_LT((m - Matrix6(expected.asDiagonal())).norm(), 1e-12);
 }
 
 TEST(Joint, IsInTheMiddleOfTheBorder) {

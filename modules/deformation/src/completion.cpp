@@ -246,26 +246,6 @@ class Level {
   double stiffness_ = 1, radius_ = FIRST_RADIUS;
 };
 
-/// Noise makes edges longer: both shapes are smoothed alike before their edges are compared.
-double scaleWithoutNoise(const TriangleMesh& source, const Points& start) {
-  constexpr int PASSES = 5;
-  const int n = static_cast<int>(start.rows());
-  const VertexNeighbors neighbors(source.faces, n);
-  const auto smoothed = [&](Points places) {
-    for (int pass = 0; pass < PASSES; ++pass) {
-      const Points before = places;
-      for (int v = 0; v < n; ++v) {
-        double count = 1;
-        for (const int* w = neighbors.begin(v); w != neighbors.end(v); ++w, ++count)
-          places.row(v) += before.row(*w);
-        places.row(v) /= count;
-      }
-    }
-    return places;
-  };
-  return medianEdgeRatio({smoothed(source.vertices), source.faces}, smoothed(start));
-}
-
 void check(const TriangleMesh& source,
            const Points& start,
            const Correspondence& matches,

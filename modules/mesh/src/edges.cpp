@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/mesh/edges.h>
+#include <posture/mesh/vertex_neighbors.h>
 
 #include <Eigen/Geometry>
 
@@ -79,6 +80,25 @@ double medianEdgeRatio(const TriangleMesh& mesh, const Points& places) {
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
   return *middle;
+}
+
+double scaleWithoutNoise(const TriangleMesh& mesh, const Points& places) {
+  constexpr int PASSES = 5;
+  const int n = static_cast<int>(places.rows());
+  const VertexNeighbors neighbors(mesh.faces, n);
+  const auto smoothed = [&](Points at) {
+    for (int pass = 0; pass < PASSES; ++pass) {
+      const Points before = at;
+      for (int v = 0; v < n; ++v) {
+        double count = 1;
+        for (const int* w = neighbors.begin(v); w != neighbors.end(v); ++w, ++count)
+          at.row(v) += before.row(*w);
+        at.row(v) /= count;
+      }
+    }
+    return at;
+  };
+  return medianEdgeRatio({smoothed(mesh.vertices), mesh.faces}, smoothed(places));
 }
 
 Vector faceAreas(const TriangleMesh& mesh) {

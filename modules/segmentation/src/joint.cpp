@@ -23,21 +23,23 @@ Matrix3d crossing(const Vector3d& v) {
 
 }  // namespace
 
-void Mass::add(const Vector3d& place, double area) {
-  area_ += area;
-  first_ += area * place;
-  second_ += area * place * place.transpose();
+void Stiffness::add(const Vector3d& place, const Vector3d& normal, double area) {
+  Eigen::Matrix<double, 3, 6> moved;
+  moved << -crossing(place), Matrix3d::Identity();
+  const Vector6 off = moved.transpose() * normal;
+  across_ += area * off * off.transpose();
+  whole_ += area * moved.transpose() * moved;
 }
 
-void Mass::add(const Mass& other) {
-  area_ += other.area_;
-  first_ += other.first_;
-  second_ += other.second_;
+void Stiffness::add(const Stiffness& other) {
+  across_ += other.across_;
+  whole_ += other.whole_;
 }
 
-Matrix3d Mass::inertia() const {
-  const Matrix3d spread = second_ - first_ * first_.transpose() / area_;
-  return spread.trace() * Matrix3d::Identity() - spread;
+Matrix6 Stiffness::about(const Vector3d& place, double along) const {
+  Matrix6 from_origin = Matrix6::Identity();
+  from_origin.bottomLeftCorner<3, 3>() = crossing(place);
+  return from_origin.transpose() * (along * whole_ + (1 - along) * across_) * from_origin;
 }
 
 void Border::add(const Vector3d& from, const Vector3d& to) {
@@ -52,21 +54,29 @@ void Border::add(const Border& other) {
   sum_ += other.sum_;
 }
 
-double turnOf(const Mass& a, const Mass& b, const Vector3d& joint, double cost) {
-  // b turns by u about the joint, both by w, and shift as fits best: what is left is
-  //   w' Ja w + (u - w)' Jb (u - w) + m |u x (cb - joint) - w x (cb - ca)|^2,  1/m = 1/ma + 1/mb,
-  // least over w a quadratic form of u.
-  const Matrix3d arm = crossing(b.centroid() - joint),
-                 apart = crossing(b.centroid() - a.centroid()), own = b.inertia();
-  const double m = a.area() * b.area() / (a.area() + b.area());
-  const Matrix3d of_both = a.inertia() + own + m * apart.transpose() * apart;
-  const Matrix3d mixed = own + m * apart.transpose() * arm;
-  const Matrix3d of_turn =
-      own + m * arm.transpose() * arm - mixed.transpose() * of_both.ldlt().solve(mixed);
-  const double most = Eigen::SelfAdjointEigenSolver<Matrix3d>(0.5 * (of_turn + of_turn.transpose()),
+Joint::Joint(const Vector3d& place, const Matrix6& a, const Matrix6& b) : place_(place) {
+  // Where b is off by x against a, a gives way by y and b by x - y: the least of y' a y +
+  // (x - y)' b (x - y) is that of two springs in a row.
+  constexpr double STILL = 1e-12;  // against motions that cost neither anything
+  Matrix6 both = a + b;
+  both.diagonal() *= 1 + STILL;
+  const Matrix6 between = a * both.ldlt().solve(b);
+  between_ = 0.5 * (between + between.transpose());
+}
+
+double Joint::cost(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) const {
+  const Eigen::Isometry3d apart = a.inverse() * b;
+  const Eigen::AngleAxisd turn(apart.linear());
+  Vector6 x;
+  x << turn.angle() * turn.axis(), apart * place_ - place_;
+  return std::max(0.0, x.dot(between_ * x));
+}
+
+double Joint::turn(double cost) const {
+  const double most = Eigen::SelfAdjointEigenSolver<Matrix3d>(between_.topLeftCorner<3, 3>(),
                                                               Eigen::EigenvaluesOnly)
                           .eigenvalues()[2];
-  return most > 0 ? std::sqrt(cost / most) : 0;
+  return most > 0 ? std::sqrt(std::max(0.0, cost) / most) : 0;
 }
 
 }  // namespace posture

@@ -2,24 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace posture {
 
-/// Sums over the places of a body, by area: its mass, centroid and inertia.
-class Mass {
- public:
-  void add(const Eigen::Vector3d& place, double area);
-  void add(const Mass& other);
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;  ///< a small motion: a turn, then a shift
 
-  double area() const { return area_; }
-  Eigen::Vector3d centroid() const { return first_ / area_; }
-  Eigen::Matrix3d inertia() const;  ///< tensor about the centroid
+/// What it costs to move a body off the surface it lies on: a quadratic form of small motions.
+/// Distance along the surface may count less than distance across it.
+class Stiffness {
+ public:
+  void add(const Eigen::Vector3d& place, const Eigen::Vector3d& normal, double area);
+  void add(const Stiffness& other);
+
+  /// Of motions given by a turn about `place`, and the shift of what is there.
+  Matrix6 about(const Eigen::Vector3d& place, double along) const;
 
  private:
-  double area_ = 0;
-  Eigen::Vector3d first_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d second_ = Eigen::Matrix3d::Zero();
+  Matrix6 across_ = Matrix6::Zero(), whole_ = Matrix6::Zero();
 };
 
 /// Where two sets of faces touch.
@@ -35,10 +36,25 @@ class Border {
   Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();  // of middles, by length
 };
 
-/// By how much two rigid bodies turn against each other at `joint`, in radians, where `cost` is the
-/// sum of squared distances, by area, that is left when they move as one. Small turns about the
-/// axis that costs most: a twist of a limb about its length, which registrations do not see well,
-/// counts for little.
-double turnOf(const Mass& a, const Mass& b, const Eigen::Vector3d& joint, double cost);
+/// Two bodies that touch: what it costs to move them as one, where each would rather move by a
+/// motion of its own.
+class Joint {
+ public:
+  /// \param a, b   the bodies' stiffness about `place`.
+  Joint(const Eigen::Vector3d& place, const Matrix6& a, const Matrix6& b);
+
+  /// Their squared distances from where they want to be, by area, when both move by the one motion
+  /// that suits them best.
+  double cost(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) const;
+
+  /// By how much they turn against each other where moving as one costs so much, in radians. Small
+  /// turns about the axis that costs most: a twist of a limb about its length, which registrations
+  /// do not see well, counts for little.
+  double turn(double cost) const;
+
+ private:
+  Eigen::Vector3d place_;
+  Matrix6 between_;
+};
 
 }  // namespace posture

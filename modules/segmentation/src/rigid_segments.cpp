@@ -7,14 +7,15 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
-#include "joint.h"
 #include "moments.h"
 #include "otsu.h"
+#include "pieces.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <queue>
+#include <set>
 #include <tuple>
 
 namespace posture {
@@ -24,7 +25,6 @@ using Eigen::Vector3d;
 
 constexpr int PATCHES = 200;             // some ten a limb: a joint is several patches long
 constexpr int COMPARABLE = 150;          // clusters large enough for their turns to mean something
-constexpr double LEAST_SHARE = 0.005;    // of the area
 constexpr double ROUNDING_TURN = 0.005;  // a quarter of a degree: nothing bends at all
 constexpr double ROUNDING_COST = 1e-14;  // a unit of area, what sums of squares of order 1 leave
 
@@ -50,14 +50,10 @@ int countJoined(int things, const Join& join) {
 
 /// A set of faces and how it moves.
 struct Cluster {
-  Mass mass;                     // at rest
   std::vector<Moments> moments;  // one a pose
-  double misfit = 0;             // of all poses
-  int faces = 1;
-  std::map<int, Border> adjacent;
+  double area = 0, misfit = 0;   // of all poses
+  std::set<int> adjacent;
   int version = 0;
-
-  double area() const { return mass.area(); }
 };
 
 double misfitOf(const std::vector<Moments>& moments) {
@@ -77,19 +73,6 @@ double mergingCost(const Cluster& a, const Cluster& b) {
   return std::max(0.0, sum - a.misfit - b.misfit);
 }
 
-/// The turn of two clusters against each other, in radians: root mean square over the poses.
-double turnOf(const Cluster& a, const Cluster& b, const Border& border, double cost) {
-  return turnOf(a.mass, b.mass, border.middle(), cost / static_cast<double>(a.moments.size()));
-}
-
-/// Whether the cost of moving two clusters as one is what noise makes. Twelve numbers fitted to
-/// noise save as much misfit as a handful of faces have; choosing the clusters for little misfit
-/// makes that some ten times more.
-bool isNoise(const Cluster& a, const Cluster& b, double cost) {
-  constexpr double FACES = 100;
-  return cost < FACES * (a.misfit + b.misfit) / (a.faces + b.faces);
-}
-
 class Clustering {
  public:
   Clustering(const TriangleMesh& rest, const std::vector<Points>& poses, const Vector& areas)
@@ -106,39 +89,14 @@ class Clustering {
       Cluster& cluster = clusters_[f];
       cluster.moments.resize(poses.size());
       for (int c = 0; c < 3; ++c) {
-        const Vector3d from = rest.vertices.row(rest.faces(f, c)),
-                       to = rest.vertices.row(rest.faces(f, (c + 1) % 3));
-        cluster.mass.add(from, areas[f] / 3);
+        const int v = rest.faces(f, c);
         for (std::size_t k = 0; k < poses.size(); ++k)
-          cluster.moments[k].add(from, poses[k].row(rest.faces(f, c)), areas[f] / 3);
-        if (across(f, c) >= 0) cluster.adjacent[across(f, c)].add(from, to);
+          cluster.moments[k].add(rest.vertices.row(v), poses[k].row(v), areas[f] / 3);
+        if (across(f, c) >= 0) cluster.adjacent.insert(across(f, c));
       }
+      cluster.area = areas[f];
       cluster.misfit = misfitOf(cluster.moments);
-      total_area_ += areas[f];
     }
-  }
-
-  /// The turns between adjacent patches, each a set of faces.
-  std::vector<double> turnsBetween(const std::vector<int>& patch_of_face, int patches) const {
-    std::vector<Cluster> patch(patches);
-    std::map<std::pair<int, int>, Border> borders;
-    for (std::size_t f = 0; f < clusters_.size(); ++f) {
-      Cluster& own = patch[patch_of_face[f]];
-      own.mass.add(clusters_[f].mass);
-      if (own.moments.empty()) own.moments.resize(clusters_[f].moments.size());
-      for (std::size_t k = 0; k < own.moments.size(); ++k)
-        own.moments[k].add(clusters_[f].moments[k]);
-      for (const auto& [g, border] : clusters_[f].adjacent)
-        if (patch_of_face[g] > patch_of_face[f])
-          borders[{patch_of_face[f], patch_of_face[g]}].add(border);
-    }
-    for (Cluster& p : patch) p.misfit = misfitOf(p.moments);
-    std::vector<double> turns;
-    for (const auto& [pair, border] : borders) {
-      const Cluster &a = patch[pair.first], &b = patch[pair.second];
-      turns.push_back(turnOf(a, b, border, mergingCost(a, b)));
-    }
-    return turns;
   }
 
   /// On a mesh in islands, that many on one of them and single clusters on the others.
@@ -147,11 +105,11 @@ class Clustering {
     const auto push = [&](int a, int b) {
       const Cluster &one = clusters_[a], &other = clusters_[b];
       const double cost = mergingCost(one, other);
-      const double rounding = ROUNDING_COST * (one.area() + other.area());
+      const double rounding = ROUNDING_COST * (one.area + other.area);
       queue.push({std::max(cost, rounding), cost, a, b, one.version, other.version});
     };
     for (int f = 0; f < static_cast<int>(clusters_.size()); ++f)
-      for (const auto& [g, border] : clusters_[f].adjacent)
+      for (int g : clusters_[f].adjacent)
         if (f < g) push(f, g);
     while (merges_left_ >= count && !queue.empty()) {
       const Candidate best = queue.top();
@@ -160,42 +118,14 @@ class Clustering {
           clusters_[best.b].version != best.version_b)
         continue;
       merge(best.a, best.b, best.cost);
-      for (const auto& [g, border] : clusters_[best.a].adjacent) push(best.a, g);
+      for (int g : clusters_[best.a].adjacent) push(best.a, g);
     }
   }
 
-  void mergeBelow(double turn) {
-    for (;;) {
-      Candidate best;
-      for (int a = 0; a < static_cast<int>(clusters_.size()); ++a) {
-        if (into_[a] != a) continue;
-        for (const auto& [b, border] : clusters_[a].adjacent) {
-          if (b < a) continue;
-          const double cost = mergingCost(clusters_[a], clusters_[b]);
-          const bool small =
-              std::min(clusters_[a].area(), clusters_[b].area()) < LEAST_SHARE * total_area_;
-          if ((small || turnOf(clusters_[a], clusters_[b], border, cost) < turn ||
-               isNoise(clusters_[a], clusters_[b], cost)) &&
-              (best.a < 0 || cost < best.cost))
-            best = {cost, cost, a, b, 0, 0};
-        }
-      }
-      if (best.a < 0) return;
-      merge(best.a, best.b, best.cost);
-    }
-  }
-
-  /// Numbers of the clusters of all faces, that of the largest area first.
+  /// Of each face.
   std::vector<int> labels() {
-    std::vector<int> order;
-    for (int a = 0; a < static_cast<int>(clusters_.size()); ++a)
-      if (find(a) == a) order.push_back(a);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-      return clusters_[a].area() > clusters_[b].area();
-    });
-    std::vector<int> number(clusters_.size()), label(clusters_.size());
-    for (std::size_t i = 0; i < order.size(); ++i) number[order[i]] = static_cast<int>(i);
-    for (std::size_t f = 0; f < label.size(); ++f) label[f] = number[find(static_cast<int>(f))];
+    std::vector<int> label(clusters_.size());
+    for (std::size_t f = 0; f < label.size(); ++f) label[f] = find(static_cast<int>(f));
     return label;
   }
 
@@ -217,15 +147,14 @@ class Clustering {
 
   void merge(int a, int b, double cost) {
     Cluster &kept = clusters_[a], &gone = clusters_[b];
-    kept.mass.add(gone.mass);
+    kept.area += gone.area;
     for (std::size_t k = 0; k < kept.moments.size(); ++k) kept.moments[k].add(gone.moments[k]);
     kept.misfit += gone.misfit + cost;
-    kept.faces += gone.faces;
-    for (const auto& [g, border] : gone.adjacent) {
+    for (int g : gone.adjacent) {
       clusters_[g].adjacent.erase(b);
       if (g == a) continue;
-      clusters_[g].adjacent[a].add(border);
-      kept.adjacent[g].add(border);
+      clusters_[g].adjacent.insert(a);
+      kept.adjacent.insert(g);
     }
     gone.adjacent.clear();
     ++kept.version;
@@ -237,11 +166,10 @@ class Clustering {
   std::vector<Cluster> clusters_;
   std::vector<int> into_;
   int merges_left_ = 0;  // until no two clusters have an edge in common
-  double total_area_ = 0;
 };
 
 /// Each face goes with the sample nearest to one of its corners. Each piece of the mesh takes one.
-std::vector<int> patchesOf(const TriangleMesh& mesh, int& count) {
+std::vector<int> patchesOf(const TriangleMesh& mesh) {
   const int n = static_cast<int>(mesh.vertices.rows());
   const std::vector<int> face = vertexFaces(mesh.faces, n);
   const auto loose = static_cast<int>(std::count(face.begin(), face.end(), -1));
@@ -251,11 +179,10 @@ std::vector<int> patchesOf(const TriangleMesh& mesh, int& count) {
   });
   const Landmarks samples =
       voronoiSamples(mesh, FastMarching(mesh), PATCHES + pieces - loose - 1, 0);
-  count = static_cast<int>(samples.vertices.size()) + 1;  // the last: what no sample reaches
   std::vector<int> patch(mesh.faces.rows());
   for (int f = 0; f < mesh.faces.rows(); ++f) {
     const int sample = samples.nearest[mesh.faces(f, 0)];
-    patch[f] = sample >= 0 ? sample : count - 1;
+    patch[f] = sample;  // -1: what no sample reaches
   }
   return patch;
 }
@@ -315,6 +242,30 @@ Eigen::Isometry3d robustMotion(const TriangleMesh& rest,
   return motion;
 }
 
+/// The same for one that may have slid along the surface.
+Eigen::Isometry3d robustMotion(const PosedBody& body,
+                               std::size_t pose,
+                               const std::vector<int>& faces) {
+  constexpr int ROUNDS = 30;
+  const PosedSurface& surface = body.poses[pose];
+  double area = 0;
+  for (int f : faces) area += body.areas[f];
+  return slideOnto(surface,
+                   body.rest.vertices,
+                   verticesOf(body, faces),
+                   robustMotion(body.rest, surface.places(), body.areas, faces),
+                   weightAlong(area),
+                   ROUNDS,
+                   true)
+      .motion;
+}
+
+/// What separates turns at joints from others.
+double leastTurn(std::vector<double> turns) {
+  for (double& turn : turns) turn = std::cbrt(turn);
+  return 0.7 * std::pow(otsuThreshold(std::move(turns)), 3);
+}
+
 }  // namespace
 
 RigidSegments segmentRigidParts(const TriangleMesh& rest, const std::vector<Points>& poses) {
@@ -329,24 +280,22 @@ RigidSegments segmentRigidParts(const TriangleMesh& rest, const std::vector<Poin
   const TriangleMesh shape{normalized(rest.vertices, unit), rest.faces};
   std::vector<Points> shapes;
   for (const Points& pose : poses) {
-    segments.scale.push_back(medianEdgeRatio(rest, pose));
+    segments.scale.push_back(scaleWithoutNoise(rest, pose));
     shapes.push_back(normalized(pose, unit * segments.scale.back()));
   }
   // Faces without area still have neighbours to go with.
   constexpr double LEAST_AREA = 1e-12;
   const Vector areas = faceAreas(shape).cwiseMax(LEAST_AREA);
 
+  const PosedBody body(shape, shapes, areas);
+  std::vector<double> turns = Pieces(body, patchesOf(shape)).turns();
+  segments.least_turn = std::max(ROUNDING_TURN, leastTurn(std::move(turns)));
   Clustering clustering(shape, shapes, areas);
-  int patches = 0;
-  const std::vector<int> patch = patchesOf(shape, patches);
-  std::vector<double> turns = clustering.turnsBetween(patch, patches);
-  for (double& turn : turns) turn = std::cbrt(turn);
-  const double root = otsuThreshold(std::move(turns));
-  segments.least_turn = std::max(ROUNDING_TURN, root * root * root);
   clustering.mergeDownTo(COMPARABLE);
-  clustering.mergeBelow(segments.least_turn);
+  Pieces pieces(body, clustering.labels());
+  pieces.mergeBelow(segments.least_turn);
 
-  segments.face_label = clustering.labels();
+  segments.face_label = pieces.labels();
   segments.count = 1 + *std::max_element(segments.face_label.begin(), segments.face_label.end());
   segments.label = vertexLabels(shape, areas, segments.face_label);
   std::vector<std::vector<int>> faces(segments.count);
@@ -357,7 +306,7 @@ RigidSegments segmentRigidParts(const TriangleMesh& rest, const std::vector<Poin
                    to = poses[k].colwise().mean();
     segments.motion.emplace_back();
     for (const std::vector<int>& part : faces) {
-      Eigen::Isometry3d motion = robustMotion(shape, shapes[k], areas, part);
+      Eigen::Isometry3d motion = robustMotion(body, k, part);
       motion.translation() = scale * unit * motion.translation() + to - motion.linear() * from;
       segments.motion.back().push_back(motion);
     }

@@ -28,6 +28,9 @@ double meanEdgeLength(const TriangleMesh& mesh);
 /// vertex) to those of the mesh. 1 where there are none.
 double medianEdgeRatio(const TriangleMesh& mesh, const Points& places);
 
+/// The same where noise makes edges longer: both shapes are smoothed alike before.
+double scaleWithoutNoise(const TriangleMesh& mesh, const Points& places);
+
 /// m areas, in squared mesh units.
 Vector faceAreas(const TriangleMesh& mesh);
 
