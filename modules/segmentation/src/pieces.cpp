@@ -5,8 +5,6 @@
 #include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
 
-#include <Eigen/Cholesky>
-
 #include "moments.h"
 #include <algorithm>
 #include <cmath>
