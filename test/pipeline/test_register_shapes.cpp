@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/deformation/reduce_mesh.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/synthesis/articulated_body.h>
 
@@ -219,6 +220,78 @@ TEST(RegisterShapes, holesAreClosedForTheSearchAndHaveNoRow) {
       meanError(
           verticesOf(result.correspondence), groundTruth(source, target), result, target.mesh),
       0.02);
+}
+
+TEST(RegisterShapes, aCoarseSourceGetsMoreVerticesWhileMapsAreSought) {
+  const ArticulatedBody fine = body(0), target = body(2);
+  const ReducedMesh reduced = reduceMesh(fine.mesh, 350);
+  const auto n = reduced.mesh.vertices.rows();
+  // A face beside the body, a point in no face, and a vertex given again.
+  TriangleMesh given = reduced.mesh;
+  given.vertices.conservativeResize(n + 5, 3);
+  const Eigen::RowVector3d beside = given.vertices.row(3) * 1.05;
+  given.vertices.bottomRows(5) << beside, beside + Eigen::RowVector3d(0.01, 0, 0),
+      beside + Eigen::RowVector3d(0, 0.01, 0), given.vertices.row(20) * 1.02, given.vertices.row(7);
+  given.faces.conservativeResize(given.faces.rows() + 1, 3);
+  given.faces.bottomRows(1) << static_cast<int>(n), static_cast<int>(n) + 1,
+      static_cast<int>(n) + 2;
+
+  RegistrationOptions all;
+  all.both_ways = true;
+  const RegistrationResult result = registerShapes(given, target.mesh, all);
+  ASSERT_EQ(result.status, Status::REGISTERED) << result.message;
+  std::vector<int> number(fine.mesh.vertices.rows(), -1);
+  for (int v = 0; v < n; ++v) number[reduced.vertex[v]] = v;
+  std::vector<VertexPair> truth;
+  for (const VertexPair& pair : groundTruth(fine, target))
+    if (number[pair.source] >= 0) truth.push_back({number[pair.source], pair.target});
+  const double error = meanError(verticesOf(result.correspondence), truth, result, target.mesh);
+  EXPECT_LT(error, 0.0042);  // 0.0033, and 0.0053 on its own vertices alone
+
+  // Everything is told of what was given.
+  EXPECT_EQ(result.source.vertices, n + 5);
+  EXPECT_EQ(result.source.clean_vertices, n);
+  EXPECT_EQ(result.source.added_vertices, 6000 - n);
+  EXPECT_EQ(result.target.added_vertices, 0);
+  EXPECT_EQ(result.correspondence.on_target.size(), n + 5);
+  EXPECT_EQ(result.correspondence.confidence.size(), n + 5);
+  EXPECT_EQ(result.correspondence.on_target[n + 4].vertex,
+            result.correspondence.on_target[7].vertex);
+  ASSERT_EQ(result.deformed.rows(), n + 5);
+  EXPECT_TRUE(result.deformed.allFinite());
+  for (const AlternativeSummary& alternative : result.alternatives) {
+    EXPECT_EQ(alternative.target_vertex.size(), n + 5);
+    for (int v : alternative.target_vertex) EXPECT_LT(v, target.mesh.vertices.rows());
+  }
+  ASSERT_TRUE(result.back);
+  const std::vector<SurfacePoint>& back = result.back->correspondence.on_target;
+  ASSERT_EQ(back.size(), target.mesh.vertices.rows());
+  std::vector<double> off;
+  std::set<int> faces;
+  for (std::size_t t = 0; t < back.size(); ++t) {
+    if (back[t].vertex < 0) continue;
+    ASSERT_LT(back[t].vertex, n);
+    ASSERT_GE(back[t].face, 0);
+    ASSERT_LT(back[t].face, reduced.mesh.faces.rows());
+    EXPECT_GE(back[t].barycentric.minCoeff(), 0);
+    EXPECT_NEAR(back[t].barycentric.sum(), 1, 1e-9);
+    faces.insert(back[t].face);
+    // The place in the face, taken to the target with its corners, is where it came from.
+    Eigen::RowVector3d place = Eigen::RowVector3d::Zero(), there = place;
+    for (int k = 0; k < 3; ++k) {
+      place += back[t].barycentric[k] * given.vertices.row(given.faces(back[t].face, k));
+      there += back[t].barycentric[k] * result.deformed.row(given.faces(back[t].face, k));
+    }
+    EXPECT_LT((place - given.vertices.row(back[t].vertex)).norm(),
+              2 * result.source.mean_edge_length);
+    off.push_back((there - target.mesh.vertices.row(static_cast<int>(t))).norm());
+  }
+  EXPECT_GT(off.size(), 0.95 * static_cast<double>(back.size()));
+  EXPECT_GT(faces.size(), 0.9 * static_cast<double>(reduced.mesh.faces.rows()));
+  std::sort(off.begin(), off.end());
+  EXPECT_LT(off[off.size() / 2], 0.13 * result.source.mean_edge_length);
+  EXPECT_LT(result.back->mean_miss * std::sqrt(result.source.area),
+            0.2 * result.source.mean_edge_length);
 }
 
 TEST(RegisterShapes, isTheSameWithAnyNumberOfThreads) {

@@ -119,6 +119,7 @@ ShapeSummary summaryWithout(const GivenShape& given,
   summary.patched_holes = shape.holes;
   summary.joined_pieces = shape.pieces;
   summary.parted_contacts = patched.parted_contacts;
+  summary.added_vertices = patched.added_vertices;
   summary.samples = patched.samples;
   summary.stress = patched.stress;
   return summary;

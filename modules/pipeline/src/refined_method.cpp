@@ -37,6 +37,7 @@ AlternativeSummary summarize(const Finalist& finalist) {
 
 ShapeSummary summarize(const GivenShape& given, const RefinedShape& shape) {
   ShapeSummary summary = summarize(given);
+  summary.added_vertices = static_cast<int>(shape.full.vertices.rows()) - summary.clean_vertices;
   summary.samples = static_cast<int>(shape.samples.form.rows());
   summary.stress = shape.stress;
   return summary;
@@ -93,13 +94,17 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
       source_cleaned.input, source_ordered, source_cleaned.patch_vertices};
   const GivenShape target_given{
       target_cleaned.input, target_ordered, target_cleaned.patch_vertices};
+  const TriangleMesh source_surface = posed(source_ordered.mesh, source_pose),
+                     target_surface = posed(target_ordered.mesh, target_pose);
   RefinedShape source, target;
 
-  // Evenly spread subsets of the vertices: all with all can be compared on them.
+  // Evenly spread subsets of the vertices: all with all can be compared on them. A source much
+  // coarser than the target gets more vertices first.
   clock.stage("reduction", 0.03, [&] {
+    const bool source_too_coarse = isMuchCoarser(source_surface, target_surface);
     parallelFor(2, [&](int side) {
-      if (side == 0) source = reduceSide("source", posed(source_ordered.mesh, source_pose));
-      if (side == 1) target = reduceSide("target", posed(target_ordered.mesh, target_pose));
+      if (side == 0) source = reduceSide("source", source_surface, source_too_coarse);
+      if (side == 1) target = reduceSide("target", target_surface, false);
     });
     return 0;
   });
@@ -194,7 +199,8 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
     if (anyLaid(refined)) result.alternatives[result.chosen].refined_score = result.score;
     result.trust = trustIn(result);
     FullMap map = toFullResolution(source, target, best);
-    result.correspondence = correspondenceOf(source_given, source, target_given, map, result.trust);
+    result.correspondence =
+        correspondenceOf(source_given, source, target_given, target, map, result.trust);
     return map;
   });
 
@@ -226,13 +232,13 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
         if (static_cast<int>(k) == result.chosen) continue;
         AlternativeSummary& other = result.alternatives[k];
         const double likelihood = std::exp(std::min(0.0, -marginBefore(result, other)));
-        other.correspondence = correspondenceOf(
-            source_given,
-            source,
-            target_given,
-            toFullResolution(
-                source, target, refineFinalists(source, target, {&finalists[distinct[k]]}).front()),
-            result.trust * likelihood);
+        const RefinedMap map = refineFinalists(source, target, {&finalists[distinct[k]]}).front();
+        other.correspondence = correspondenceOf(source_given,
+                                                source,
+                                                target_given,
+                                                target,
+                                                toFullResolution(source, target, map),
+                                                result.trust * likelihood);
       }
       return 0;
     });

@@ -14,21 +14,22 @@ namespace {
 
 constexpr int FULL_ROUNDS = 5;
 
-/// For faces of the main surface the face they were given as.
+/// For places on a side's meshes those on the mesh as it was given.
 class GivenFaces {
  public:
-  explicit GivenFaces(const GivenShape& shape) : shape_(shape) {
-    for (int f = 0; f < shape.input.faces.rows(); ++f) {
+  GivenFaces(const GivenShape& given, const RefinedShape& shape) : given_(given), shape_(shape) {
+    for (int f = 0; f < given.input.faces.rows(); ++f) {
       const auto corners = sorted(cleanCorners(f));
       if (corners[0] >= 0) faces_.emplace(corners, f);
     }
   }
 
-  /// A place on the clean mesh, on the mesh as given.
-  SurfacePoint toInput(const FacePoint& place, int clean_vertex) const {
+  /// \param vertex  of the full mesh: the one that fits best.
+  SurfacePoint toInput(const FacePoint& on_full, int vertex) const {
+    const FacePoint place = shape_.onMainSurface(on_full);
+    const Eigen::Vector3i face = given_.clean.mesh.faces.row(place.face);
     SurfacePoint point;
-    point.vertex = shape_.clean.input_vertex[clean_vertex];
-    const Eigen::Vector3i face = shape_.clean.mesh.faces.row(place.face);
+    point.vertex = given_.clean.input_vertex[isAdded(vertex) ? nearestCorner(place) : vertex];
     const auto found = faces_.find(sorted({face[0], face[1], face[2]}));
     if (found == faces_.end()) return point;
     point.face = found->second;
@@ -42,11 +43,27 @@ class GivenFaces {
  private:
   using Corners = std::array<int, 3>;
 
+  bool isAdded(int vertex) const { return vertex >= given_.clean.mesh.vertices.rows(); }
+
+  /// A vertex of the main surface.
+  int nearestCorner(const FacePoint& place) const {
+    const TriangleMesh& mesh = given_.clean.mesh;
+    const Eigen::Vector3i face = mesh.faces.row(place.face);
+    Eigen::Matrix3d corners;
+    for (int k = 0; k < 3; ++k) corners.row(k) = mesh.vertices.row(face[k]);
+    int nearest = 0;
+    (corners.rowwise() - place.barycentric.transpose() * corners)
+        .rowwise()
+        .squaredNorm()
+        .minCoeff(&nearest);
+    return face[nearest];
+  }
+
   Corners cleanCorners(int input_face) const {
     Corners corners{};
     for (int k = 0; k < 3; ++k) {
-      const int v = shape_.input.faces(input_face, k);
-      corners[k] = shape_.clean.offset[v] > 0 ? -1 : shape_.clean.clean_vertex[v];
+      const int v = given_.input.faces(input_face, k);
+      corners[k] = given_.clean.offset[v] > 0 ? -1 : given_.clean.clean_vertex[v];
     }
     return corners;
   }
@@ -55,7 +72,8 @@ class GivenFaces {
     return corners;
   }
 
-  const GivenShape& shape_;
+  const GivenShape& given_;
+  const RefinedShape& shape_;
   std::map<Corners, int> faces_;
 };
 
@@ -107,9 +125,10 @@ Vector roundTripConfidence(const TriangleMesh& source, const VertexMaps& maps) {
 Correspondence correspondenceOf(const GivenShape& source,
                                 const RefinedShape& source_shape,
                                 const GivenShape& target,
+                                const RefinedShape& target_shape,
                                 const FullMap& map,
                                 double trust) {
-  const GivenFaces faces(target);
+  const GivenFaces faces(target, target_shape);
   const Vector confidence = roundTripConfidence(source_shape.full, map.pair.maps);
   const std::size_t n = source.clean.clean_vertex.size();
   Correspondence correspondence;

@@ -8,7 +8,7 @@
 
 namespace posture {
 
-/// A map between the main surfaces as given.
+/// A map between the full meshes of both shapes.
 struct FullMap {
   BentPair pair;
   std::vector<FacePoint> places;      ///< of the source's vertices on the target
@@ -32,6 +32,7 @@ Vector roundTripConfidence(const TriangleMesh& source, const VertexMaps& maps);
 Correspondence correspondenceOf(const GivenShape& source,
                                 const RefinedShape& source_shape,
                                 const GivenShape& target,
+                                const RefinedShape& target_shape,
                                 const FullMap& map,
                                 double trust);
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace posture {
 namespace {
@@ -17,6 +18,12 @@ namespace {
 /// full ones; comparing all vertices with all, the time goes with the square.
 constexpr int WORK_VERTICES = 5000, COARSE_VERTICES = 1500, SAMPLES = 500;
 
+/// A surface this many times as coarse as the other is brought to so many vertices; it bends, and
+/// is compared, no finer than it has any. On a third of its vertices a mesh is 1.7 times as coarse
+/// or more; half a body is 1.4 times as coarse as the whole.
+constexpr double MUCH_COARSER = 1.6;
+constexpr int DENSE_VERTICES = 6000;
+
 /// The smallest of their waves is still five edges long on the coarse mesh.
 constexpr int FUNCTIONS = 200;
 
@@ -24,6 +31,12 @@ constexpr int FUNCTIONS = 200;
 constexpr int LEAST_VERTICES = 20, VERTICES_PER_FUNCTION = 4;
 
 }  // namespace
+
+FacePoint RefinedShape::onMainSurface(const FacePoint& place) const {
+  if (parts.empty()) return place;
+  const FacePart& part = parts[place.face];
+  return {part.face, part.corners * place.barycentric};
+}
 
 SpectralSurface RefinedShape::workSurface() const {
   return {work.mesh, basis.functions, basis.eigenvalues};
@@ -37,13 +50,24 @@ Eigen::MatrixXf RefinedShape::coarseFunctions() const {
   return basis.functions(coarse.vertex, Eigen::all).cast<float>();
 }
 
-RefinedShape reduceSide(const std::string& side, const TriangleMesh& full) {
-  const auto n = full.vertices.rows();
+bool isMuchCoarser(const TriangleMesh& surface, const TriangleMesh& other) {
+  return surface.vertices.rows() < DENSE_VERTICES &&
+         coarseness(surface) > MUCH_COARSER * coarseness(other);
+}
+
+RefinedShape reduceSide(const std::string& side, const TriangleMesh& surface, bool too_coarse) {
+  const auto n = surface.vertices.rows();
   if (n < LEAST_VERTICES)
     throw InputError(side + " has only " + std::to_string(n) +
                      " usable vertices: too few to tell a shape");
   RefinedShape shape;
-  shape.full = full;
+  if (too_coarse) {
+    SplitMesh dense = splitLongEdges(surface, DENSE_VERTICES);
+    shape.full = std::move(dense.mesh);
+    shape.parts = std::move(dense.parts);
+  } else {
+    shape.full = surface;
+  }
   shape.work = reduceMesh(shape.full, WORK_VERTICES);
   shape.coarse = reduceMesh(shape.work.mesh, COARSE_VERTICES);
   return shape;

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <posture/deformation/reduce_mesh.h>
+#include <posture/mesh/split_long_edges.h>
 #include <posture/pipeline/observer.h>
 #include <posture/refine/sample_maps.h>
+#include <posture/refine/settle.h>
 #include <posture/refine/surface.h>
 
 #include <string>
@@ -14,20 +16,29 @@ namespace posture {
 
 /// One side of the refined method at its three resolutions.
 struct RefinedShape {
-  TriangleMesh full;
-  ReducedMesh work;      ///< of `full`: where maps are refined
-  ReducedMesh coarse;    ///< of `work`: where candidates are compared
-  SpectralBasis basis;   ///< on `work`
-  SampledShape samples;  ///< on `work`
-  double stress = 0;     ///< of the samples' canonical form
+  TriangleMesh full;  ///< the main surface; where it is too coarse, with more vertices on it, which
+                      ///< come after its own
+  std::vector<FacePart> parts;  ///< faces of `full` in those of the main surface; empty: the same
+  ReducedMesh work;             ///< of `full`: where maps are refined
+  ReducedMesh coarse;           ///< of `work`: where candidates are compared
+  SpectralBasis basis;          ///< on `work`
+  SampledShape samples;         ///< on `work`
+  double stress = 0;            ///< of the samples' canonical form
+
+  /// A place on `full` as one on the main surface.
+  FacePoint onMainSurface(const FacePoint& place) const;
 
   SpectralSurface workSurface() const;
   SpectralSurface coarseSurface() const;
   Eigen::MatrixXf coarseFunctions() const;
 };
 
-/// Reduces the mesh. \throws InputError  too few vertices to tell a shape; names the side.
-RefinedShape reduceSide(const std::string& side, const TriangleMesh& full);
+/// Whether maps from the one surface to the other are held back by how few vertices it has.
+bool isMuchCoarser(const TriangleMesh& surface, const TriangleMesh& other);
+
+/// The main surface on the meshes it is worked on. \throws InputError  too few vertices to tell a
+/// shape; names the side.
+RefinedShape reduceSide(const std::string& side, const TriangleMesh& surface, bool too_coarse);
 
 void addSpectrum(RefinedShape& shape);
 void addSamples(RefinedShape& shape);

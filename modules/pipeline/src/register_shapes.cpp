@@ -134,6 +134,7 @@ ShapeSummary withPart(ShapeSummary whole, const ShapeSummary& part) {
   whole.patched_holes = part.patched_holes;
   whole.joined_pieces = part.joined_pieces;
   whole.parted_contacts = part.parted_contacts;
+  whole.added_vertices = part.added_vertices;
   return whole;
 }
 

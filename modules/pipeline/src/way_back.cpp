@@ -64,7 +64,7 @@ WayBack wayBack(const PosedSide& source,
   back.scale = 1 / result.scale;
   back.trust = result.trust;
   back.correspondence =
-      correspondenceOf(target.given, target.shape, source.given, map, result.trust);
+      correspondenceOf(target.given, target.shape, source.given, source.shape, map, result.trust);
   back.deformed = source.pose.outOf(placesOfInput(target.given,
                                                   target.shape.full,
                                                   std::vector<char>(map.places.size(), 1),

@@ -182,6 +182,7 @@ std::string shapes(const RegistrationResult& result, const RunDescription& run) 
   count("Holes closed for the search", a.patched_holes, b.patched_holes);
   count("Pieces joined for the search", a.joined_pieces, b.joined_pieces);
   count("Contacts cut open", a.parted_contacts, b.parted_contacts);
+  count("Vertices added for the search", a.added_vertices, b.added_vertices);
   add("Area", formatShort(a.area), formatShort(b.area));
   if (std::min(a.compared_share, b.compared_share) < 1)
     add("Share of it compared, as the other side is a piece",

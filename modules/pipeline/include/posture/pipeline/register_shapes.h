@@ -80,10 +80,11 @@ struct ShapeSummary {
   CleaningSummary cleaning;
   int clean_vertices = 0;
   int boundary_edges = 0;
-  int patched_holes = 0;      ///< closed while maps were sought: the surface goes on across them
-  int joined_pieces = 0;      ///< across narrow gaps, to the main surface
-  int parted_contacts = 0;    ///< where it was taken for grown together with itself, and cut open
-  double area = 0;            ///< of the main surface, in squared units of the input
+  int patched_holes = 0;    ///< closed while maps were sought: the surface goes on across them
+  int joined_pieces = 0;    ///< across narrow gaps, to the main surface
+  int parted_contacts = 0;  ///< where it was taken for grown together with itself, and cut open
+  int added_vertices = 0;   ///< on long edges while maps were sought: the other side is much finer
+  double area = 0;          ///< of the main surface, in squared units of the input
   double compared_share = 1;  ///< of the area: less where the other side was taken for a piece
   double mean_edge_length = 0;
   int samples = 0;
