@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/mesh/connected_parts.h>
 #include <posture/mesh/normals.h>
+#include <posture/mesh/vertex_neighbors.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/synthesis/articulated_body.h>
 
@@ -9,7 +10,9 @@
 
 #include "patched_shape.h"
 #include "support/shapes.h"
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -75,6 +78,51 @@ TEST(WithPatches, doesNotTurnASurfaceRoundThatItCloses) {
   const Points before = vertexNormals(clean.mesh), after = vertexNormals(patched.clean.mesh);
   for (int v = 0; v < before.rows(); ++v)
     EXPECT_GT(before.row(v).dot(after.row(patched.clean.clean_vertex[clean.input_vertex[v]])), 0.5);
+}
+
+TEST(LeaveOutPatches, whatLiesBesideTheRimGoesToItAndTheRestHasNoCounterpart) {
+  const TriangleMesh whole = test::sphere(5);
+  TriangleMesh open = whole;
+  int kept = 0;
+  for (const auto& f : whole.faces.rowwise())
+    if (whole.vertices(f[0], 2) < 0.97) open.faces.row(kept++) = f;
+  open.faces.conservativeResize(kept, 3);
+  const CleanMesh whole_clean = cleanMesh(whole), open_clean = cleanMesh(open);
+  const GivenShape source{whole, whole_clean}, target{open, open_clean};
+  const PatchedShape source_patched{whole, whole_clean},
+      target_patched = withPatches(open, open_clean);
+  ASSERT_EQ(target_patched.holes, 1);
+  const int n = static_cast<int>(open.vertices.rows());
+  // One source vertex to each of the patch.
+  RegistrationResult result;
+  result.correspondence.on_target.resize(whole.vertices.rows());
+  result.correspondence.confidence = Vector::Ones(whole.vertices.rows());
+  result.deformed = whole.vertices;
+  for (int i = 0; i < target_patched.vertices; ++i)
+    result.correspondence.on_target[i].vertex = n + i;
+  leaveOutPatches(source, source_patched, target, target_patched, result);
+  const std::vector<char> on_rim = boundaryVertices(open.faces, n);
+  int beside = 0, within = 0;
+  for (int i = 0; i < target_patched.vertices; ++i) {
+    double gap = 10;
+    for (int v = 0; v < n; ++v)
+      if (on_rim[v])
+        gap =
+            std::min(gap, (open.vertices.row(v) - target_patched.input.vertices.row(n + i)).norm());
+    const int vertex = result.correspondence.on_target[i].vertex;
+    // Edges are 0.03 to 0.04 long, 0.015 square roots of the area are 0.053.
+    if (gap < 0.05) {
+      ++beside;
+      ASSERT_GE(vertex, 0);
+      EXPECT_TRUE(on_rim[vertex]);
+    } else if (gap > 0.06) {
+      ++within;
+      EXPECT_LT(vertex, 0);
+      EXPECT_EQ(result.correspondence.confidence[i], 0);
+    }
+  }
+  EXPECT_GT(beside, 20);
+  EXPECT_GT(within, 20);
 }
 
 TEST(RegisterShapes, aBodyInPiecesIsRegisteredWithThemJoined) {
