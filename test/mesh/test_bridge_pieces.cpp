@@ -93,14 +93,84 @@ TEST(BridgePieces, joinTheHalvesOfASphere) {
             0.8 * (faceAreas(test::sphere(4)).sum() - faceAreas(apart).sum()));
 }
 
+/// The second mesh beside the first.
+TriangleMesh beside(TriangleMesh mesh, const TriangleMesh& other) {
+  const auto n = mesh.vertices.rows(), m = mesh.faces.rows();
+  mesh.vertices.conservativeResize(n + other.vertices.rows(), 3);
+  mesh.vertices.bottomRows(other.vertices.rows()) = other.vertices;
+  mesh.faces.conservativeResize(m + other.faces.rows(), 3);
+  mesh.faces.bottomRows(other.faces.rows()) = other.faces.array() + static_cast<int>(n);
+  return mesh;
+}
+
+TriangleMesh moved(TriangleMesh mesh, double x, double y, double z) {
+  mesh.vertices.rowwise() += Eigen::RowVector3d(x, y, z);
+  return mesh;
+}
+
+/// A sheet, another right above it, which no face may go on to, and a strip near that one alone.
+TriangleMesh layers() {
+  const TriangleMesh sheet = test::grid(40, 40, 4, 4), strip = test::grid(40, 10, 4, 1);
+  return beside(beside(sheet, moved(sheet, 0, 0, 0.2)), moved(strip, 0, -1.1, 0.3));
+}
+
+TEST(BridgePieces, countOnlyWhatIsJoinedToTheLargest) {
+  const Bridges bridges = bridgePieces(layers());
+  EXPECT_EQ(bridges.pieces, 0);
+  EXPECT_EQ(bridges.faces.rows(), 0);
+}
+
+TEST(BridgePieces, joinByWayOfAnotherWhatCannotBeJoinedItself) {
+  // A strip between the two sheets that goes on beyond the rim of either.
+  const TriangleMesh mesh = beside(layers(), moved(test::grid(40, 10, 4, 1), 0, -1.05, 0.1));
+  const Bridges bridges = bridgePieces(mesh);
+  EXPECT_EQ(bridges.pieces, 3);
+  EXPECT_EQ(connectedParts(joined(mesh, bridges)).area.size(), 1u);
+  expectSound(joined(mesh, bridges));
+}
+
+TEST(BridgePieces, joinThousandsOfPieces) {
+  constexpr int SIDE = 50;
+  const TriangleMesh apart =
+      without(test::grid(6 * SIDE, 6 * SIDE, SIDE, SIDE), [](const auto& middle) {
+        return std::max(middle[0] - std::floor(middle[0]), middle[1] - std::floor(middle[1])) >
+               5.0 / 6;
+      });
+  const Bridges bridges = bridgePieces(apart);
+  EXPECT_EQ(bridges.pieces, SIDE * SIDE - 1);
+  EXPECT_EQ(connectedParts(joined(apart, bridges)).area.size(), 1u);
+  expectSound(joined(apart, bridges));
+}
+
+TEST(BridgePieces, leaveEdgesWithManyFacesAlone) {
+  // Two faces more at each edge of one side, which then is no rim.
+  TriangleMesh apart = threePieces();
+  std::set<std::pair<int, int>> half_edges;
+  for (const auto& f : apart.faces.rowwise())
+    for (int k = 0; k < 3; ++k) half_edges.emplace(f[k], f[(k + 1) % 3]);
+  std::vector<std::array<int, 2>> side;
+  for (const auto& [a, b] : half_edges)
+    if (half_edges.count({b, a}) == 0 && std::abs(apart.vertices(a, 0) - 0.5) < 0.01 &&
+        std::abs(apart.vertices(b, 0) - 0.5) < 0.01)
+      side.push_back({a, b});
+  ASSERT_EQ(side.size(), 20u);
+  for (const auto& [a, b] : side) {
+    const auto n = apart.vertices.rows(), m = apart.faces.rows();
+    apart.vertices.conservativeResize(n + 1, 3);
+    apart.vertices.row(n) = apart.vertices.row(a) + Eigen::RowVector3d(0, 0, 1);
+    apart.faces.conservativeResize(m + 1, 3);
+    apart.faces.row(m) << a, b, static_cast<int>(n);
+  }
+  std::set<std::pair<int, int>> busy;
+  for (const auto& [a, b] : side) busy.emplace(b, a);
+  const Bridges bridges = bridgePieces(apart);
+  for (const auto& f : bridges.faces.rowwise())
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(busy.count({f[k], f[(k + 1) % 3]}), 0u);
+}
+
 TEST(BridgePieces, havePiecesWithoutARimAlone) {
   const TriangleMesh ball = test::sphere(2), sheet = test::grid(40, 40, 4, 4);
-  TriangleMesh mesh;
-  mesh.vertices.resize(ball.vertices.rows() + sheet.vertices.rows(), 3);
-  mesh.vertices << (0.2 * ball.vertices).rowwise() + Eigen::RowVector3d(-0.25, 2, 0),
-      sheet.vertices;
-  mesh.faces.resize(ball.faces.rows() + sheet.faces.rows(), 3);
-  mesh.faces << ball.faces, sheet.faces.array() + static_cast<int>(ball.vertices.rows());
+  const TriangleMesh mesh = beside(moved({0.2 * ball.vertices, ball.faces}, -0.25, 2, 0), sheet);
   EXPECT_EQ(bridgePieces(mesh).pieces, 0);
   EXPECT_EQ(bridgePieces(ball).pieces, 0);
 }

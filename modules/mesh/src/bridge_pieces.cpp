@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <tuple>
@@ -38,40 +39,52 @@ struct RimEdge {
 class Bridging {
  public:
   explicit Bridging(const TriangleMesh& mesh)
-      : mesh_(mesh), parts_(connectedParts(mesh)), rims_(parts_.area.size()) {
+      : mesh_(mesh),
+        parts_(connectedParts(mesh)),
+        rims_(parts_.area.size()),
+        boxes_(parts_.area.size()),
+        nearest_(parts_.area.size(), NOTHING_NEAR) {
     std::vector<HalfEdge> all;
+    std::set<HalfEdge> repeated;  // as where three faces meet
     for (const auto& f : mesh.faces.rowwise())
-      for (int k = 0; k < 3; ++k) all.emplace_back(f[k], f[(k + 1) % 3]);
-    taken_.insert(all.begin(), all.end());
+      for (int k = 0; k < 3; ++k) {
+        all.emplace_back(f[k], f[(k + 1) % 3]);
+        if (!taken_.insert(all.back()).second) repeated.insert(all.back());
+      }
     double length = 0;
     std::size_t edges = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const auto [a, b] = all[i];
-      if (taken_.count({b, a}) > 0) continue;
-      const int face = static_cast<int>(i / 3);
-      rims_[parts_.of_face[face]].push_back({all[i], face});
-      length += (mesh.vertices.row(a) - mesh.vertices.row(b)).norm();
+      if (taken_.count({b, a}) > 0 || repeated.count({a, b}) > 0) continue;
+      const int face = static_cast<int>(i / 3), part = parts_.of_face[face];
+      rims_[part].push_back({all[i], face});
+      boxes_[part].extend(at(a));
+      length += distance(a, b);
       ++edges;
     }
     edge_ = edges > 0 ? length / static_cast<double>(edges) : 0;
   }
 
   Bridges run() {
-    std::vector<int> apart;
     double area = 0;
     for (int part = 0; part < static_cast<int>(rims_.size()); ++part) {
       area += parts_.area[part];
-      if (part != parts_.largest && !rims_[part].empty()) apart.push_back(part);
+      if (part != parts_.largest && !rims_[part].empty()) apart_.push_back(part);
     }
-    if (parts_.largest >= 0) joined_ = rims_[parts_.largest];
+    widest_ = WIDEST_GAP * std::sqrt(area);
     int pieces = 0;
-    while (!joined_.empty() && !apart.empty()) {
-      const Rim whole(mesh_, joined_);
-      const auto [gap, next] = nearestOf(apart, whole);
-      if (gap > WIDEST_GAP * std::sqrt(area)) break;
-      pieces += bridge(whole, rims_[next], std::max(REACH * gap, gap + 2 * edge_));
-      joined_.insert(joined_.end(), rims_[next].begin(), rims_[next].end());
-      apart.erase(std::find(apart.begin(), apart.end(), next));
+    if (parts_.largest >= 0 && !rims_[parts_.largest].empty()) {
+      join(parts_.largest);
+      for (int next = nearestPart(); next >= 0; next = nearestPart()) {
+        const double gap = std::get<0>(nearest_[next]);
+        if (bridge(rims_[next], boxes_[next], std::max(REACH * gap, gap + 2 * edge_))) {
+          ++pieces;
+          apart_.erase(std::find(apart_.begin(), apart_.end(), next));
+          join(next);
+        } else {
+          nearest_[next] = NOTHING_NEAR;  // until a part is joined that it is near as well
+        }
+      }
     }
     Bridges bridges;
     bridges.pieces = pieces;
@@ -84,6 +97,10 @@ class Bridging {
  private:
   using Face = std::array<int, 3>;
   using Place = std::array<double, 3>;
+  using Box = Eigen::AlignedBox3d;
+  using Gap = std::tuple<double, Place>;  // how wide, and where it begins
+
+  static constexpr Gap NOTHING_NEAR{std::numeric_limits<double>::infinity(), {}};
 
   /// The vertices along some rims, to look for neighbours among.
   struct Rim {
@@ -102,23 +119,49 @@ class Bridging {
     PointIndex index;
   };
 
+  Eigen::Vector3d at(int v) const { return mesh_.vertices.row(v); }
   Place placeOf(int v) const {
     return {mesh_.vertices(v, 0), mesh_.vertices(v, 1), mesh_.vertices(v, 2)};
   }
 
-  double distance(int v, int w) const {
-    return (mesh_.vertices.row(v) - mesh_.vertices.row(w)).norm();
+  double distance(int v, int w) const { return (at(v) - at(w)).norm(); }
+
+  /// Takes a part to the joined ones: others may be nearer to it than to those before.
+  void join(int part) {
+    joined_.push_back(part);
+    const Rim rim(mesh_, rims_[part]);
+    for (const int other : apart_) {
+      Gap& least = nearest_[other];
+      const auto isFar = [&](double d) { return d > std::min(widest_, std::get<0>(least)); };
+      if (isFar(boxes_[part].exteriorDistance(boxes_[other]))) continue;
+      for (const RimEdge& e : rims_[other]) {
+        const int v = e.ends.first;
+        if (isFar(boxes_[part].exteriorDistance(at(v)))) continue;
+        const double gap = distance(v, rim.vertex[rim.index.nearest(at(v)).index]);
+        if (gap <= widest_) least = std::min(least, {gap, placeOf(v)});
+      }
+    }
   }
 
-  std::pair<double, int> nearestOf(const std::vector<int>& apart, const Rim& whole) const {
-    std::tuple<double, Place, int> best{std::numeric_limits<double>::infinity(), {}, -1};
-    for (const int part : apart)
-      for (const RimEdge& e : rims_[part]) {
-        const int v = e.ends.first;
-        const double gap = whole.index.nearest(mesh_.vertices.row(v).transpose()).distance;
-        best = std::min(best, {gap, placeOf(v), part});
-      }
-    return {std::get<0>(best), std::get<2>(best)};
+  /// To the joined ones; -1: none is near.
+  int nearestPart() const {
+    int nearest = -1;
+    for (const int part : apart_)
+      if (nearest_[part] < (nearest < 0 ? NOTHING_NEAR : nearest_[nearest])) nearest = part;
+    return nearest;
+  }
+
+  /// Along the rims of the joined parts, what may be within reach of what is in the box.
+  std::vector<RimEdge> joinedNear(const Box& box, double reach) const {
+    std::vector<RimEdge> edges;
+    for (const int part : joined_)
+      if (boxes_[part].exteriorDistance(box) <= reach)
+        std::copy_if(
+            rims_[part].begin(),
+            rims_[part].end(),
+            std::back_inserter(edges),
+            [&](const RimEdge& e) { return box.exteriorDistance(at(e.ends.first)) <= reach; });
+    return edges;
   }
 
   /// An edge of one rim and a vertex of the other, with how long the face they make would be.
@@ -165,10 +208,11 @@ class Bridging {
   }
 
   /// Whether any face was put between the two; the shortest are put first.
-  bool bridge(const Rim& whole, const std::vector<RimEdge>& piece, double reach) {
+  bool bridge(const std::vector<RimEdge>& piece, const Box& box, double reach) {
+    const std::vector<RimEdge> whole = joinedNear(box, reach);
     std::vector<Candidate> candidates;
-    addCandidates(piece, whole, reach, candidates);
-    addCandidates(joined_, Rim(mesh_, piece), reach, candidates);
+    addCandidates(piece, Rim(mesh_, whole), reach, candidates);
+    addCandidates(whole, Rim(mesh_, piece), reach, candidates);
     std::sort(candidates.begin(), candidates.end());
     const std::size_t before = faces_.size();
     for (const Candidate& candidate : candidates) {
@@ -182,10 +226,13 @@ class Bridging {
   const TriangleMesh& mesh_;
   const ConnectedParts parts_;
   std::vector<std::vector<RimEdge>> rims_;  // by part
-  std::vector<RimEdge> joined_;
+  std::vector<Box> boxes_;                  // around each rim
+  std::vector<Gap> nearest_;                // between each part and the joined ones
+  std::vector<int> joined_, apart_;
   std::set<HalfEdge> taken_;  // a half-edge belongs to one face
   std::vector<Face> faces_;
-  double edge_ = 0;  // mean, along the rims
+  double edge_ = 0;    // mean, along the rims
+  double widest_ = 0;  // gap
 };
 
 }  // namespace
