@@ -347,6 +347,9 @@ TEST(RigidSegments, refuseWhatDoesNotFit) {
   TriangleMesh point = mesh;
   point.vertices.setZero();
   EXPECT_THROW(segmentRigidParts(point, {mesh.vertices}), std::invalid_argument);
+  TriangleMesh unknown = mesh;
+  unknown.vertices(3, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(segmentRigidParts(mesh, {unknown.vertices}), std::invalid_argument);
 }
 
 }  // namespace

@@ -78,5 +78,13 @@ TEST(SlidingFit, doesNotFollowTheFew) {
   EXPECT_LT((found(true).matrix() - slid.motion.matrix()).norm(), 1e-6);
 }
 
+TEST(SlidingFit, endsWhereAPlaceIsNoNumber) {
+  const TriangleMesh ball = test::sphere(1);
+  const PosedSurface surface(ball.vertices, ball.faces);
+  int from = 5;
+  surface.nearest(Vector3d::Constant(std::nan("")), from);
+  EXPECT_EQ(from, 5);
+}
+
 }  // namespace
 }  // namespace posture

@@ -270,8 +270,10 @@ double leastTurn(std::vector<double> turns) {
 
 RigidSegments segmentRigidParts(const TriangleMesh& rest, const std::vector<Points>& poses) {
   require(!poses.empty(), "segmentRigidParts: no pose");
-  for (const Points& pose : poses)
+  for (const Points& pose : poses) {
     require(pose.rows() == rest.vertices.rows(), "segmentRigidParts: one place a vertex");
+    require(pose.allFinite(), "segmentRigidParts: places that are no numbers");
+  }
   const double area = rest.faces.rows() > 0 ? faceAreas(rest).sum() : 0;
   require(area > 0, "segmentRigidParts: a mesh without area");
   const double unit = std::sqrt(area);

@@ -53,7 +53,7 @@ PosedSurface::Place PosedSurface::nearest(const Vector3d& point, int& from) cons
     nearer = false;
     for (int f : faces_at_[from])
       for (int v : faces_.row(f)) {
-        if (squared(v) >= least) continue;
+        if (!(squared(v) < least)) continue;
         least = squared(v);
         from = v;
         nearer = true;
@@ -65,7 +65,7 @@ PosedSurface::Place PosedSurface::nearest(const Vector3d& point, int& from) cons
                    c = places_.row(faces_(f, 2));
     const Vector3d w = nearestInTriangle(point, a, b, c);
     const Vector3d at = w[0] * a + w[1] * b + w[2] * c;
-    if ((at - point).squaredNorm() >= least) continue;
+    if (!((at - point).squaredNorm() < least)) continue;
     least = (at - point).squaredNorm();
     place.at = at;
     place.normal = (w[0] * normals_.row(faces_(f, 0)) + w[1] * normals_.row(faces_(f, 1)) +

@@ -44,7 +44,8 @@ struct RigidSegments {
 /// 3. The motion of a part is fitted once more with less weight on faces that bend, as next to
 ///    joints.
 /// \param poses  each n x 3: the mesh's vertices in that pose, in any unit.
-/// \throws std::invalid_argument  no pose, sizes that do not agree, or a mesh without area.
+/// \throws std::invalid_argument  no pose, sizes that do not agree, a mesh without area, or
+///         places of a pose that are no numbers.
 RigidSegments segmentRigidParts(const TriangleMesh& rest, const std::vector<Points>& poses);
 
 }  // namespace posture
