@@ -253,6 +253,23 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
   return distinct;
 }
 
+std::vector<int> foremost(const std::vector<int>& distinct,
+                          const std::vector<Finalist>& finalists,
+                          const SpectralSurface& target,
+                          int finalist,
+                          std::size_t most) {
+  const auto gap = [&](int i) {
+    return gapBetween(target, finalists[finalist].maps, finalists[i].maps);
+  };
+  const auto own = std::min_element(
+      distinct.begin(), distinct.end(), [&](int i, int j) { return gap(i) < gap(j); });
+  std::vector<int> first(
+      distinct.begin(),
+      distinct.begin() + static_cast<std::ptrdiff_t>(std::min(most, distinct.size())));
+  if (own - distinct.begin() >= static_cast<std::ptrdiff_t>(first.size())) first.back() = *own;
+  return first;
+}
+
 std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const RefinedShape& target,
                                         const std::vector<const Finalist*>& finalists) {

@@ -61,6 +61,13 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
                                    const SpectralSurface& target,
                                    double gap);
 
+/// The first `most` of different finalists, but always with the one that a finalist goes with.
+std::vector<int> foremost(const std::vector<int>& distinct,
+                          const std::vector<Finalist>& finalists,
+                          const SpectralSurface& target,
+                          int finalist,
+                          std::size_t most);
+
 /// A map between the work meshes with what speaks against it.
 struct RefinedMap {
   int finalist = 0;   ///< index of the one it was made of

@@ -22,7 +22,8 @@
 namespace posture {
 namespace {
 
-constexpr int POOL = 32, MOST_ALTERNATIVES = 4;
+constexpr int POOL = 32;
+constexpr std::size_t MOST_ALTERNATIVES = 4;
 
 AlternativeSummary summarize(const Finalist& finalist) {
   AlternativeSummary summary;
@@ -178,6 +179,8 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
     return maps;
   });
   const RefinedMap& best = refined.front();
+  const std::vector<int> answers =
+      foremost(distinct, finalists, target_coarse, best.finalist, MOST_ALTERNATIVES);
   source_pose.unit *= best.scale;
   result.scale = source_pose.unit / target_pose.unit;
   clock.show([&] { return refinedPictures(source, target, best); });
@@ -185,8 +188,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   // All vertices, to a fraction of an edge.
   const FullMap full = clock.stage("full resolution", 0.05, [&] {
     const VertexMaps& winner = finalists[best.finalist].maps;
-    for (int i : distinct) {
-      if (static_cast<int>(result.alternatives.size()) >= MOST_ALTERNATIVES) break;
+    for (int i : answers) {
       AlternativeSummary summary = summarize(finalists[i]);
       summary.refined_score = refinedScore(refined, i);
       summary.gap = gapBetween(target_coarse, winner, finalists[i].maps);
@@ -232,7 +234,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
         if (static_cast<int>(k) == result.chosen) continue;
         AlternativeSummary& other = result.alternatives[k];
         const double likelihood = std::exp(std::min(0.0, -marginBefore(result, other)));
-        const RefinedMap map = refineFinalists(source, target, {&finalists[distinct[k]]}).front();
+        const RefinedMap map = refineFinalists(source, target, {&finalists[answers[k]]}).front();
         other.correspondence = correspondenceOf(source_given,
                                                 source,
                                                 target_given,
