@@ -102,8 +102,12 @@ std::vector<CleanMesh> partsLike(const CleanMesh& piece, const GivenShape& whole
         (1 - NEARLY_ALL) * static_cast<double>(nearest.size()))
       continue;
     if (std::optional<CleanMesh> rest =
-            cleanRest(withoutVertices(whole.input, whole.clean, outside)))
+            cleanRest(withoutVertices(whole.input, whole.clean, outside))) {
+      // What else the whole is in says nothing of how this part of it lies.
+      rest->pieces = {};
+      rest->piece_vertex.clear();
       cut.push_back(std::move(*rest));
+    }
   }
   return cut;
 }

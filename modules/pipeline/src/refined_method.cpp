@@ -69,11 +69,17 @@ bool anyLaid(const std::vector<RefinedMap>& refined) {
   return std::any_of(refined.begin(), refined.end(), [](const RefinedMap& m) { return m.laid; });
 }
 
-/// That of the best map made of a finalist, where some were laid over each other.
-std::optional<double> refinedScore(const std::vector<RefinedMap>& refined, int finalist) {
+/// That of the best refined map of the same answer, where some were laid over each other.
+/// \param gap  how far apart two places are not the same any more.
+std::optional<double> refinedScore(const std::vector<RefinedMap>& refined,
+                                   const std::vector<Finalist>& finalists,
+                                   const SpectralSurface& target,
+                                   int finalist,
+                                   double gap) {
   if (!anyLaid(refined)) return std::nullopt;
   for (const RefinedMap& map : refined)
-    if (map.finalist == finalist) return map.score.total();
+    if (gapBetween(target, finalists[map.finalist].maps, finalists[finalist].maps) <= gap)
+      return map.score.total();
   return std::nullopt;
 }
 
@@ -166,8 +172,8 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
     giveVerdictWithoutFinalist(source_given, result);
     return result;
   }
-  const std::vector<int> distinct =
-      distinctFinalists(finalists, target_coarse, 2 * target.samples.spacing);
+  const double gap = 2 * target.samples.spacing;
+  const std::vector<int> distinct = distinctFinalists(finalists, target_coarse, gap);
   clock.show([&] { return finalistPictures(source_coarse, target_coarse, finalists, distinct); });
 
   // The leading ones, as precise as the work meshes allow; the best wins.
@@ -190,7 +196,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
     const VertexMaps& winner = finalists[best.finalist].maps;
     for (int i : answers) {
       AlternativeSummary summary = summarize(finalists[i]);
-      summary.refined_score = refinedScore(refined, i);
+      summary.refined_score = refinedScore(refined, finalists, target_coarse, i, gap);
       summary.gap = gapBetween(target_coarse, winner, finalists[i].maps);
       summary.target_vertex =
           coarseToInput(finalists[i].maps, source_given, source, target_given, target);
