@@ -222,26 +222,32 @@ Points Similarity::inverseOf(const Points& points) const {
 
 std::vector<Similarity> layOver(const SurfacePlaces& a, const SurfacePlaces& b, int most) {
   const std::vector<Eigen::Matrix3d> starts = evenRotations(ROTATIONS);
+  const Eigen::RowVector3d middle_a = a.places.colwise().mean(),
+                           middle_b = b.places.colwise().mean();
   std::vector<Laying> layings(starts.size());
   parallelFor(static_cast<int>(starts.size()), [&](int i) {
     layings[i].way.rotation = starts[i];
+    layings[i].way.translation = middle_b - middle_a * starts[i].transpose();
     closestPoints(a, b, RIGID_STEPS, false, layings[i]);
     closestPoints(a, b, SCALED_STEPS, true, layings[i]);
   });
-  std::stable_sort(layings.begin(), layings.end(), [](const Laying& x, const Laying& y) {
-    return x.cost < y.cost;
-  });
+  const auto byCost = [](const Laying& x, const Laying& y) { return x.cost < y.cost; };
+  std::stable_sort(layings.begin(), layings.end(), byCost);
   std::vector<Laying> kept;
-  for (const Laying& laying : layings) {
-    if (static_cast<int>(kept.size()) >= most) break;
+  const auto isNew = [&](const Laying& laying) {
     const Points places = laying.way.of(a.places);
-    if (std::none_of(kept.begin(), kept.end(), [&](const Laying& known) {
-          return (places - known.way.of(a.places)).rowwise().norm().mean() < SAME_WAY;
-        }))
-      kept.push_back(laying);
+    return std::none_of(kept.begin(), kept.end(), [&](const Laying& known) {
+      return (places - known.way.of(a.places)).rowwise().norm().mean() < SAME_WAY;
+    });
+  };
+  for (Laying& laying : layings) {
+    if (static_cast<int>(kept.size()) >= most) break;
+    if (!isNew(laying)) continue;
+    // On their last steps two ways may come to be one.
+    closestPoints(a, b, FINAL_STEPS, true, laying);
+    if (isNew(laying)) kept.push_back(laying);
   }
-  parallelFor(static_cast<int>(kept.size()),
-              [&](int i) { closestPoints(a, b, FINAL_STEPS, true, kept[i]); });
+  std::stable_sort(kept.begin(), kept.end(), byCost);
   std::vector<Similarity> ways;
   for (const Laying& laying : kept) ways.push_back(laying.way);
   return ways;
