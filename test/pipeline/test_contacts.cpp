@@ -3,11 +3,11 @@
 #include <posture/mesh/edge_paths.h>
 #include <posture/mesh/handles.h>
 #include <posture/pipeline/register_shapes.h>
-#include <posture/synthesis/articulated_body.h>
 
 #include <gtest/gtest.h>
 
 #include "contacts.h"
+#include "person.h"
 #include "support/cpu_seconds.h"
 #include "support/shapes.h"
 #include <cmath>
@@ -18,14 +18,7 @@
 namespace posture {
 namespace {
 
-ArticulatedBody person(int pose, int tessellation = 0) {
-  BodyOptions options;
-  options.kind = BodyKind::HUMAN;
-  options.pose = pose;
-  options.vertices = 2500;
-  options.tessellation = tessellation;
-  return makeBody(options);
-}
+using test::person;
 
 enum class Contact { TUBE, VERTEX };
 

@@ -4,11 +4,11 @@
 #include <posture/mesh/normals.h>
 #include <posture/mesh/vertex_neighbors.h>
 #include <posture/pipeline/register_shapes.h>
-#include <posture/synthesis/articulated_body.h>
 
 #include <gtest/gtest.h>
 
 #include "patched_shape.h"
+#include "person.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <cmath>
@@ -17,14 +17,7 @@
 namespace posture {
 namespace {
 
-ArticulatedBody person(int pose, int tessellation) {
-  BodyOptions options;
-  options.kind = BodyKind::HUMAN;
-  options.pose = pose;
-  options.vertices = 2500;
-  options.tessellation = tessellation;
-  return makeBody(options);
-}
+using test::person;
 
 /// Divided in two or more by a narrow gap across z, at a share of the height.
 TriangleMesh divided(TriangleMesh mesh, double share) {

@@ -3,10 +3,10 @@
 #include <posture/mesh/edge_paths.h>
 #include <posture/mesh/edges.h>
 #include <posture/pipeline/register_shapes.h>
-#include <posture/synthesis/articulated_body.h>
 
 #include <gtest/gtest.h>
 
+#include "person.h"
 #include "pieces.h"
 #include "support/shapes.h"
 #include <algorithm>
@@ -16,14 +16,7 @@
 namespace posture {
 namespace {
 
-ArticulatedBody person(int pose, int tessellation) {
-  BodyOptions options;
-  options.kind = BodyKind::HUMAN;
-  options.pose = pose;
-  options.vertices = 2500;
-  options.tessellation = tessellation;
-  return makeBody(options);
-}
+using test::person;
 
 /// What lies around a hand: `share` of the body's vertices, the others left out.
 struct Piece {

@@ -11,6 +11,7 @@
 #include "support/shapes.h"
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace posture {
@@ -88,37 +89,55 @@ TEST(ScoreMaps, isTheSameBothWays) {
   EXPECT_NEAR(there.return_miss, back.return_miss, 1e-9);
 }
 
+/// A lump and the half of it above y = 0, in one unit.
+struct WholeAndHalf {
+  WholeAndHalf() {
+    const TriangleMesh mesh = lump();
+    number.assign(mesh.vertices.rows(), -1);
+    TriangleMesh upper = mesh;
+    int kept = 0;
+    for (int f = 0; f < mesh.faces.rows(); ++f)
+      if (mesh.vertices(mesh.faces(f, 0), 1) > 0) upper.faces.row(kept++) = mesh.faces.row(f);
+    upper.faces.conservativeResize(kept, 3);
+    for (int& v : upper.faces.reshaped()) {
+      if (number[v] < 0) {
+        number[v] = static_cast<int>(of_half.size());
+        of_half.push_back(v);
+      }
+      v = number[v];
+    }
+    upper.vertices = mesh.vertices(of_half, Eigen::all);
+    whole = surface(mesh);
+    half = surface(upper);
+  }
+
+  /// The vertex of the half nearest to a place.
+  int nearest(const Eigen::RowVector3d& place) const {
+    Eigen::Index found = 0;
+    (half->mesh.vertices.rowwise() - place).rowwise().norm().minCoeff(&found);
+    return static_cast<int>(found);
+  }
+
+  static std::unique_ptr<SpectralSurface> surface(TriangleMesh mesh) {
+    mesh.vertices /= std::sqrt(faceAreas(lump()).sum());
+    const SpectralBasis basis = spectralBasis(cotangentLaplacian(mesh), 60);
+    return std::make_unique<SpectralSurface>(mesh, basis.functions, basis.eigenvalues);
+  }
+
+  std::unique_ptr<SpectralSurface> whole, half;
+  std::vector<int> number;   ///< vertex of the whole -> of the half; -1: none
+  std::vector<int> of_half;  ///< and back
+};
+
 TEST(ScoreMaps, doesNotHoldAgainstAMapWhatTheTargetLacks) {
   // Half a body against the whole one: the right map is right on the half there is.
-  const TriangleMesh whole = lump();
-  TriangleMesh half = whole;
-  int kept = 0;
-  for (int f = 0; f < whole.faces.rows(); ++f)
-    if (whole.vertices(whole.faces(f, 0), 1) > 0) half.faces.row(kept++) = whole.faces.row(f);
-  half.faces.conservativeResize(kept, 3);
-  std::vector<int> number(whole.vertices.rows(), -1), of_half;
-  for (int& v : half.faces.reshaped()) {
-    if (number[v] < 0) {
-      number[v] = static_cast<int>(of_half.size());
-      of_half.push_back(v);
-    }
-    v = number[v];
-  }
-  half.vertices = whole.vertices(of_half, Eigen::all);
-  const double length = 1 / std::sqrt(faceAreas(whole).sum());
-  const auto surface = [&](TriangleMesh mesh) {
-    mesh.vertices *= length;
-    const SpectralBasis basis = spectralBasis(cotangentLaplacian(mesh), 60);
-    return SpectralSurface(mesh, basis.functions, basis.eigenvalues);
-  };
-  const SpectralSurface a = surface(whole), b = surface(half);
+  const WholeAndHalf shapes;
+  const SpectralSurface &a = *shapes.whole, &b = *shapes.half;
   VertexMaps maps;
-  maps.backward = of_half;
-  for (int v = 0; v < whole.vertices.rows(); ++v) {
-    Eigen::Index nearest = 0;
-    (b.mesh.vertices.rowwise() - a.mesh.vertices.row(v)).rowwise().norm().minCoeff(&nearest);
-    maps.forward.push_back(number[v] >= 0 ? number[v] : static_cast<int>(nearest));
-  }
+  maps.backward = shapes.of_half;
+  for (int v = 0; v < a.mesh.vertices.rows(); ++v)
+    maps.forward.push_back(shapes.number[v] >= 0 ? shapes.number[v]
+                                                 : shapes.nearest(a.mesh.vertices.row(v)));
   const MapScore score = scoreMaps(a, b, maps);
   EXPECT_LT(score.bending, 0.05);
   EXPECT_LT(score.distortion, 0.05);
@@ -134,51 +153,24 @@ TEST(ScoreMaps, doesNotHoldAgainstAMapWhatTheTargetLacks) {
 }
 
 TEST(ScoreLaid, doesNotHoldAgainstAMapWhatLiesOnTheInside) {
-  // A ball laid on its upper half, the lower half of it folded up against the inside.
-  const TriangleMesh whole = lump();
-  std::vector<int> number(whole.vertices.rows(), -1), of_half;
-  TriangleMesh half{{}, Faces(whole.faces.rows(), 3)};
-  int kept = 0;
-  for (const auto& f : whole.faces.rowwise()) {
-    if (whole.vertices(f[0], 1) <= 0) continue;
-    for (int k = 0; k < 3; ++k) {
-      if (number[f[k]] < 0) {
-        number[f[k]] = static_cast<int>(of_half.size());
-        of_half.push_back(f[k]);
-      }
-      half.faces(kept, k) = number[f[k]];
-    }
-    ++kept;
-  }
-  half.faces.conservativeResize(kept, 3);
-  half.vertices = whole.vertices(of_half, Eigen::all);
-  const double length = 1 / std::sqrt(faceAreas(whole).sum());
-  const auto surface = [&](TriangleMesh mesh) {
-    mesh.vertices *= length;
-    const SpectralBasis basis = spectralBasis(cotangentLaplacian(mesh), 60);
-    return SpectralSurface(mesh, basis.functions, basis.eigenvalues);
-  };
-  const SpectralSurface a = surface(whole), b = surface(half);
-  BentPair laid;
-  laid.maps.backward = of_half;
-  laid.bent_a = a.mesh.vertices;
-  laid.bent_b = b.mesh.vertices;
-  for (int v = 0; v < whole.vertices.rows(); ++v) {
-    Eigen::RowVector3d place = a.mesh.vertices.row(v);
-    place[1] = std::abs(place[1]);
-    Eigen::Index nearest = 0;
-    (b.mesh.vertices.rowwise() - place).rowwise().norm().minCoeff(&nearest);
-    laid.maps.forward.push_back(number[v] >= 0 ? number[v] : static_cast<int>(nearest));
-    if (number[v] < 0) laid.bent_a.row(v) = b.mesh.vertices.row(nearest);
+  // The whole laid on its upper half, the lower half of it folded up against the inside.
+  const WholeAndHalf shapes;
+  const SpectralSurface &a = *shapes.whole, &b = *shapes.half;
+  BentPair laid{{{}, shapes.of_half}, a.mesh.vertices, b.mesh.vertices};
+  for (int v = 0; v < a.mesh.vertices.rows(); ++v) {
+    Eigen::RowVector3d folded = a.mesh.vertices.row(v);
+    folded[1] = std::abs(folded[1]);
+    const int number = shapes.number[v];
+    laid.maps.forward.push_back(number >= 0 ? number : shapes.nearest(folded));
+    if (number < 0) laid.bent_a.row(v) = b.mesh.vertices.row(laid.maps.forward.back());
   }
   const MapScore fair = scoreLaid(a, b, laid), blind = scoreMaps(a, b, laid.maps);
   EXPECT_LT(fair.total(), blind.total() - 2);
   EXPECT_LT(fair.distortion, 0.05);
   EXPECT_LT(fair.return_miss, 0.05);
   // Where all have a counterpart, there is no difference.
-  const SpectralSurface same = surface(whole);
-  BentPair there{test::identity(a), same.mesh.vertices, a.mesh.vertices};
-  EXPECT_EQ(scoreLaid(a, same, there).total(), scoreMaps(a, same, there.maps).total());
+  const BentPair there{test::identity(a), a.mesh.vertices, a.mesh.vertices};
+  EXPECT_EQ(scoreLaid(a, a, there).total(), scoreMaps(a, a, there.maps).total());
 }
 
 TEST(ScoreMaps, theTruthIsBetterThanWhatIsWrong) {
