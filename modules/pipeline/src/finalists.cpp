@@ -234,42 +234,6 @@ void exchangeParts(const SpectralSurface& source,
   }
 }
 
-double gapBetween(const SpectralSurface& target, const VertexMaps& x, const VertexMaps& y) {
-  double sum = 0;
-  for (std::size_t v = 0; v < x.forward.size(); ++v)
-    sum += (target.mesh.vertices.row(x.forward[v]) - target.mesh.vertices.row(y.forward[v])).norm();
-  return sum / static_cast<double>(x.forward.size());
-}
-
-std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
-                                   const SpectralSurface& target,
-                                   double gap) {
-  std::vector<int> distinct;
-  for (int i = 0; i < static_cast<int>(finalists.size()); ++i)
-    if (std::none_of(distinct.begin(), distinct.end(), [&](int k) {
-          return gapBetween(target, finalists[i].maps, finalists[k].maps) <= gap;
-        }))
-      distinct.push_back(i);
-  return distinct;
-}
-
-std::vector<int> foremost(const std::vector<int>& distinct,
-                          const std::vector<Finalist>& finalists,
-                          const SpectralSurface& target,
-                          int finalist,
-                          std::size_t most) {
-  const auto gap = [&](int i) {
-    return gapBetween(target, finalists[finalist].maps, finalists[i].maps);
-  };
-  const auto own = std::min_element(
-      distinct.begin(), distinct.end(), [&](int i, int j) { return gap(i) < gap(j); });
-  std::vector<int> first(
-      distinct.begin(),
-      distinct.begin() + static_cast<std::ptrdiff_t>(std::min(most, distinct.size())));
-  if (own - distinct.begin() >= static_cast<std::ptrdiff_t>(first.size())) first.back() = *own;
-  return first;
-}
-
 std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const RefinedShape& target,
                                         const std::vector<const Finalist*>& finalists) {

@@ -51,23 +51,6 @@ void exchangeParts(const SpectralSurface& source,
                    double gap,
                    std::vector<Finalist>& finalists);
 
-/// Mean distance on the target between where two maps of the coarse meshes take the source's
-/// vertices, straight: no unit, as the body's area is about one.
-double gapBetween(const SpectralSurface& target, const VertexMaps& x, const VertexMaps& y);
-
-/// Of finalists by increasing score, the first and those that differ from every better one by more
-/// than `gap`.
-std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
-                                   const SpectralSurface& target,
-                                   double gap);
-
-/// The first `most` of different finalists, but always with the one that a finalist goes with.
-std::vector<int> foremost(const std::vector<int>& distinct,
-                          const std::vector<Finalist>& finalists,
-                          const SpectralSurface& target,
-                          int finalist,
-                          std::size_t most);
-
 /// A map between the work meshes with what speaks against it.
 struct RefinedMap {
   int finalist = 0;   ///< index of the one it was made of

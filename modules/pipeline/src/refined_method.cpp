@@ -5,6 +5,7 @@
 #include <posture/core/parallel.h>
 #include <posture/mesh/edges.h>
 
+#include "answers.h"
 #include "finalists.h"
 #include "loose_pieces.h"
 #include "pose.h"
@@ -50,37 +51,6 @@ int nearestAnswer(const std::vector<AlternativeSummary>& alternatives) {
                                         alternatives.end(),
                                         [](const auto& a, const auto& b) { return a.gap < b.gap; });
   return static_cast<int>(nearest - alternatives.begin());
-}
-
-/// Those that promise most: the first two, and one that was laid if there is any.
-std::vector<const Finalist*> leadingOf(const std::vector<Finalist>& finalists) {
-  constexpr std::size_t LEADING = 2;
-  std::vector<const Finalist*> leading;
-  bool laid = false;
-  for (const Finalist& f : finalists) {
-    if (leading.size() >= LEADING && (laid || !f.bent)) continue;
-    leading.push_back(&f);
-    laid = laid || f.bent;
-  }
-  return leading;
-}
-
-bool anyLaid(const std::vector<RefinedMap>& refined) {
-  return std::any_of(refined.begin(), refined.end(), [](const RefinedMap& m) { return m.laid; });
-}
-
-/// That of the best refined map of the same answer, where some were laid over each other.
-/// \param gap  how far apart two places are not the same any more.
-std::optional<double> refinedScore(const std::vector<RefinedMap>& refined,
-                                   const std::vector<Finalist>& finalists,
-                                   const SpectralSurface& target,
-                                   int finalist,
-                                   double gap) {
-  if (!anyLaid(refined)) return std::nullopt;
-  for (const RefinedMap& map : refined)
-    if (gapBetween(target, finalists[map.finalist].maps, finalists[finalist].maps) <= gap)
-      return map.score.total();
-  return std::nullopt;
 }
 
 double rootArea(const GivenShape& shape) { return std::sqrt(faceAreas(shape.clean.mesh).sum()); }
@@ -173,20 +143,27 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
     return result;
   }
   const double gap = 2 * target.samples.spacing;
-  const std::vector<int> distinct = distinctFinalists(finalists, target_coarse, gap);
+  const std::vector<int> distinct = distinctFinalists(finalists, target_coarse.mesh, gap);
   clock.show([&] { return finalistPictures(source_coarse, target_coarse, finalists, distinct); });
 
   // The leading ones, as precise as the work meshes allow; the best wins.
   const std::vector<RefinedMap> refined = clock.stage("refinement", 0.27, [&] {
-    const std::vector<const Finalist*> leading = leadingOf(finalists);
-    std::vector<RefinedMap> maps = refineFinalists(source, target, leading);
-    for (RefinedMap& map : maps)
-      map.finalist = static_cast<int>(leading[map.finalist] - finalists.data());
+    const std::vector<int> leading = leadingOf(finalists, distinct);
+    std::vector<const Finalist*> chosen;
+    for (int i : leading) chosen.push_back(&finalists[i]);
+    std::vector<RefinedMap> maps = refineFinalists(source, target, chosen);
+    for (RefinedMap& map : maps) map.finalist = leading[map.finalist];
     return maps;
   });
   const RefinedMap& best = refined.front();
-  const std::vector<int> answers =
-      foremost(distinct, finalists, target_coarse, best.finalist, MOST_ALTERNATIVES);
+  const RefinedAnswers refined_answers(
+      refined, finalists, target_coarse.mesh, target.work.mesh, gap);
+  std::vector<int> answers =
+      foremost(distinct, finalists, target_coarse.mesh, best.finalist, MOST_ALTERNATIVES);
+  answers.erase(
+      std::remove_if(
+          answers.begin(), answers.end(), [&](int i) { return refined_answers.becameBest(i); }),
+      answers.end());
   source_pose.unit *= best.scale;
   result.scale = source_pose.unit / target_pose.unit;
   clock.show([&] { return refinedPictures(source, target, best); });
@@ -196,15 +173,15 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
     const VertexMaps& winner = finalists[best.finalist].maps;
     for (int i : answers) {
       AlternativeSummary summary = summarize(finalists[i]);
-      summary.refined_score = refinedScore(refined, finalists, target_coarse, i, gap);
-      summary.gap = gapBetween(target_coarse, winner, finalists[i].maps);
+      if (const RefinedMap* map = refined_answers.of(i)) summary.refined_score = map->score.total();
+      summary.gap = gapBetween(target_coarse.mesh, winner, finalists[i].maps);
       summary.target_vertex =
           coarseToInput(finalists[i].maps, source_given, source, target_given, target);
       result.alternatives.push_back(std::move(summary));
     }
     result.chosen = nearestAnswer(result.alternatives);
     result.score = best.score.total();
-    if (anyLaid(refined)) result.alternatives[result.chosen].refined_score = result.score;
+    result.alternatives[result.chosen].refined_score = result.score;
     result.trust = trustIn(result);
     FullMap map = toFullResolution(source, target, best);
     result.correspondence =

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "answers.h"
+#include "support/shapes.h"
+#include <cmath>
+#include <vector>
+
+namespace posture {
+namespace {
+
+using Answers = std::vector<int>;
+
+/// A strip of 21 columns, 0.05 apart.
+class AnswersTest : public testing::Test {
+ protected:
+  const TriangleMesh strip_ = test::grid(20, 1, 1, 0.05);
+
+  /// All of it to one column.
+  VertexMaps mapTo(int column) const {
+    VertexMaps maps;
+    maps.forward.assign(strip_.vertices.rows(), column);
+    return maps;
+  }
+
+  Finalist finalist(int column, double score = 0) const {
+    Finalist f;
+    f.maps = mapTo(column);
+    f.score = scoring(score);
+    return f;
+  }
+
+  static MapScore scoring(double total) {
+    MapScore score;
+    score.bending = score.curvature = score.distortion = score.return_miss = std::exp(total / 4);
+    return score;
+  }
+
+  RefinedMap refined(int finalist, int column, double score) const {
+    RefinedMap map;
+    map.finalist = finalist;
+    map.pair.maps = mapTo(column);
+    map.score = scoring(score);
+    return map;
+  }
+};
+
+TEST_F(AnswersTest, theOneThatWinsIsAmongTheForemost) {
+  std::vector<Finalist> finalists;  // two of them lead to the same place, or nearly
+  for (int column : {0, 4, 5, 8, 12, 16, 17, 20}) finalists.push_back(finalist(column));
+  const Answers distinct = distinctFinalists(finalists, strip_, 0.07);
+  ASSERT_EQ(distinct, (Answers{0, 1, 3, 4, 5, 7}));
+  EXPECT_EQ(foremost(distinct, finalists, strip_, 2, 4), (Answers{0, 1, 3, 4}));
+  EXPECT_EQ(foremost(distinct, finalists, strip_, 4, 4), (Answers{0, 1, 3, 4}));
+  EXPECT_EQ(foremost(distinct, finalists, strip_, 6, 4), (Answers{0, 1, 3, 5}));
+  EXPECT_EQ(foremost(distinct, finalists, strip_, 7, 4), (Answers{0, 1, 3, 7}));
+  EXPECT_EQ(foremost(distinct, finalists, strip_, 7, 9), distinct);
+}
+
+TEST_F(AnswersTest, anotherAnswerIsRefinedWhereScoresDoNotDecide) {
+  const std::vector<Finalist> near{finalist(0, -12), finalist(0, -11.9), finalist(9, -11.5)};
+  EXPECT_EQ(leadingOf(near, {0, 2}), (Answers{0, 1, 2}));
+  const std::vector<Finalist> far{finalist(0, -12), finalist(0, -11.9), finalist(9, -10.5)};
+  EXPECT_EQ(leadingOf(far, {0, 2}), (Answers{0, 1}));
+  EXPECT_EQ(leadingOf({finalist(0, -12)}, {0}), (Answers{0}));
+}
+
+TEST_F(AnswersTest, moreAreRefinedWhereNoneConvinces) {
+  std::vector<Finalist> finalists;
+  for (int column : {0, 4, 8, 12, 16, 20})
+    finalists.push_back(finalist(column, -7 + column / 80.0));
+  const Answers all{0, 1, 2, 3, 4, 5};
+  EXPECT_EQ(leadingOf(finalists, all), (Answers{0, 1, 2, 3}));
+  finalists.back().bent.emplace();
+  EXPECT_EQ(leadingOf(finalists, all), (Answers{0, 1, 2, 3, 5}));
+}
+
+TEST_F(AnswersTest, refinementTellsWhichStayDifferent) {
+  const std::vector<Finalist> finalists{
+      finalist(0, -9), finalist(8, -8.9), finalist(16, -8.8), finalist(20, -8)};
+  // The third one wins, the second one is led to the same place.
+  const std::vector<RefinedMap> maps{
+      refined(2, 16, -11), refined(1, 15, -10.9), refined(0, 0, -10), refined(0, 1, -9.9)};
+  const RefinedAnswers answers(maps, finalists, strip_, strip_, 0.07);
+  EXPECT_EQ(answers.of(2), &maps[0]);
+  EXPECT_EQ(answers.of(1), &maps[1]);
+  EXPECT_EQ(answers.of(0), &maps[2]);
+  EXPECT_EQ(answers.of(3), nullptr);
+  EXPECT_FALSE(answers.becameBest(0));
+  EXPECT_TRUE(answers.becameBest(1));
+  EXPECT_FALSE(answers.becameBest(2));
+  EXPECT_FALSE(answers.becameBest(3));
+}
+
+}  // namespace
+}  // namespace posture
