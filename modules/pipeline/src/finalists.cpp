@@ -19,6 +19,9 @@ constexpr double LEAST_ORIENTATION = 0.2;
 
 constexpr int MOST_FINALISTS = 8, MOST_LAID = 4;
 
+/// So many are bent further, so often at most.
+constexpr int BENT_FURTHER = 16, MOST_FURTHER = 4;
+
 /// Where the sample maps end.
 constexpr int CANDIDATE_BASIS = 36;
 
@@ -161,6 +164,22 @@ std::vector<Finalist> registerFinalists(const SpectralSurface& source,
   });
   sortByScore(finalists);
   return finalists;
+}
+
+void bendFurther(const SpectralSurface& source,
+                 const SpectralSurface& target,
+                 std::vector<Finalist>& finalists) {
+  parallelFor(std::min(BENT_FURTHER, static_cast<int>(finalists.size())), [&](int i) {
+    Finalist& finalist = finalists[i];
+    for (int round = 0; round < MOST_FURTHER; ++round) {
+      Finalist next = finalist;
+      next.maps = bend(source, target, STARTS.front(), next.maps);
+      next.score = scoreMaps(source, target, next.maps);
+      if (next.score.total() >= finalist.score.total()) break;
+      finalist = std::move(next);
+    }
+  });
+  sortByScore(finalists);
 }
 
 std::vector<Finalist> layFinalists(const SpectralSurface& source,

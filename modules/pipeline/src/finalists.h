@@ -31,6 +31,12 @@ std::vector<Finalist> registerFinalists(const SpectralSurface& source,
                                         const SampledShape& target_samples,
                                         const std::vector<SampleMap>& pool);
 
+/// Bends the best finalists on, from where they are, as long as that makes their scores better: far
+/// from isometric pairs need several ways down. Leaves all by increasing score.
+void bendFurther(const SpectralSurface& source,
+                 const SpectralSurface& target,
+                 std::vector<Finalist>& finalists);
+
 /// Finalists of another kind: the coarse surfaces laid over each other as they are, then bent. They
 /// ask for poses that are not too different, but not for whole surfaces. By increasing score.
 /// \param source_places, target_places  on all pieces of each, the surface among them.

@@ -4,6 +4,7 @@
 
 #include <posture/core/parallel.h>
 #include <posture/mesh/edges.h>
+#include <posture/refine/tip_maps.h>
 
 #include "answers.h"
 #include "finalists.h"
@@ -23,7 +24,7 @@
 namespace posture {
 namespace {
 
-constexpr int POOL = 32;
+constexpr int POOL = 32, MOST_TIP_MAPS = 8;
 constexpr std::size_t MOST_ALTERNATIVES = 4;
 
 AlternativeSummary summarize(const Finalist& finalist) {
@@ -120,6 +121,19 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
     exchangeParts(source_coarse, target_coarse, 2 * target.samples.spacing, registered);
     return registered;
   });
+
+  // Where bodies stretch, the right candidate is not among those that change distances least.
+  if (finalists.empty() || !convinces(finalists.front().score.total()))
+    clock.stage("tips", 0.05, [&] {
+      const std::vector<SampleMap> tip_maps =
+          tipMaps(source.samples, target.samples, MOST_TIP_MAPS);
+      finalists =
+          joined(std::move(finalists),
+                 registerFinalists(
+                     source_coarse, target_coarse, source.samples, target.samples, tip_maps));
+      bendFurther(source_coarse, target_coarse, finalists);
+      return 0;
+    });
 
   // Spectra and scale go astray where much is missing; surfaces laid over each other do not.
   if (finalists.empty() || !convinces(finalists.front().score.total()))
