@@ -66,9 +66,10 @@ class StickFigure {
   std::vector<int> tips_;
 };
 
-/// Head, tail, and four legs of different lengths.
+/// Head, tail, two front legs of one length, told apart by their thickness, and two hind legs of
+/// one thickness, told apart by how far apart the tips are.
 const std::vector<Limb> LIMBS{
-    {1, 0.3, 5}, {0, 0.6, 1}, {0.9, 0.36, 2}, {0.9, 0.42, 2}, {0.1, 0.48, 2}, {0.1, 0.54, 2}};
+    {1, 0.3, 6}, {0, 0.6, 1}, {0.9, 0.4, 2}, {0.9, 0.4, 4}, {0.1, 0.46, 2}, {0.1, 0.56, 2}};
 
 TEST(TipMaps, findsTheEndsOfAllLimbs) {
   const StickFigure figure(0.5, LIMBS);
@@ -79,16 +80,19 @@ TEST(TipMaps, findsTheEndsOfAllLimbs) {
 }
 
 TEST(TipMaps, takesLimbsToLimbsOfABodyThatStretches) {
-  const StickFigure a(0.4, LIMBS), b(0.65, LIMBS);
+  // In another order, so that a tie is no help.
+  const std::vector<Limb> reversed(LIMBS.rbegin(), LIMBS.rend());
+  const StickFigure a(0.4, LIMBS), b(0.65, reversed);
   const std::vector<SampleMap> maps = tipMaps(a.shape(), b.shape(), 4);
   ASSERT_EQ(maps.size(), 4);
   const SampleMap& best = maps.front();
   for (std::size_t k = 0; k < LIMBS.size(); ++k) {
-    EXPECT_NEAR(b.out(best.forward[a.tips()[k]], k), LIMBS[k].length, 0.05) << k;
-    EXPECT_NEAR(a.out(best.backward[b.tips()[k]], k), LIMBS[k].length, 0.05) << k;
+    const std::size_t partner = LIMBS.size() - 1 - k;
+    EXPECT_NEAR(b.out(best.forward[a.tips()[k]], partner), LIMBS[k].length, 0.05) << k;
+    EXPECT_NEAR(a.out(best.backward[b.tips()[partner]], k), LIMBS[k].length, 0.05) << k;
     // Half of a limb goes half of the way out.
     const int middle = a.tips()[k] - static_cast<int>(LIMBS[k].length / 0.04) * LIMBS[k].thickness;
-    EXPECT_NEAR(b.out(best.forward[middle], k), a.out(middle, k), 0.1) << k;
+    EXPECT_NEAR(b.out(best.forward[middle], partner), a.out(middle, k), 0.1) << k;
   }
 }
 

@@ -143,6 +143,15 @@ class TipMatcher {
   std::vector<TipMatch> matches_;
 };
 
+/// Whether a match is another one with tips left out. Pairs are in the order of the first shape's
+/// tips.
+bool isPartOf(const TipMatch& part, const TipMatch& whole) {
+  std::size_t found = 0;
+  for (const auto& pair : whole.pairs)
+    if (found < part.pairs.size() && part.pairs[found] == pair) ++found;
+  return found == part.pairs.size();
+}
+
 /// For each sample the one of the other shape that lies most alike between the tips. What is near
 /// a tip says more: limbs keep their lengths, trunks do not.
 std::vector<int> nearestBetweenTips(const Matrix& from, const Matrix& to) {
@@ -156,8 +165,9 @@ std::vector<int> nearestBetweenTips(const Matrix& from, const Matrix& to) {
 }
 
 SampleMap mapOf(const TipMatch& match, const SampledShape& a, const SampledShape& b) {
-  const auto nearness = [](const SampledShape& shape, const std::vector<int>& tips) {
-    return Matrix((shape.distances(Eigen::all, tips).array() + shape.spacing).rsqrt());
+  const double spacing = std::max(a.spacing, b.spacing);
+  const auto nearness = [spacing](const SampledShape& shape, const std::vector<int>& tips) {
+    return Matrix((shape.distances(Eigen::all, tips).array() + spacing).rsqrt());
   };
   std::vector<int> of_a, of_b;
   for (auto [p, q] : match.pairs) {
@@ -188,8 +198,15 @@ std::vector<int> tipsOf(const SampledShape& shape) {
 }
 
 std::vector<SampleMap> tipMaps(const SampledShape& a, const SampledShape& b, int most) {
-  const TipMatcher matcher(a.distances, b.distances, tipsOf(a), tipsOf(b), most);
-  const std::vector<TipMatch>& matches = matcher.best();
+  const TipMatcher matcher(a.distances, b.distances, tipsOf(a), tipsOf(b), 8 * most);
+  std::vector<TipMatch> matches;
+  for (const TipMatch& match : matcher.best()) {
+    if (static_cast<int>(matches.size()) == most) break;
+    if (std::none_of(matches.begin(), matches.end(), [&](const TipMatch& better) {
+          return isPartOf(match, better);
+        }))
+      matches.push_back(match);
+  }
   std::vector<SampleMap> maps(matches.size());
   parallelFor(static_cast<int>(maps.size()), [&](int i) { maps[i] = mapOf(matches[i], a, b); });
   return maps;
