@@ -66,7 +66,7 @@ TEST_F(AnswersTest, anotherAnswerIsRefinedWhereScoresDoNotDecide) {
   EXPECT_EQ(leadingOf({finalist(0, -12)}, {0}), (Answers{0}));
 }
 
-TEST_F(AnswersTest, moreAreRefinedWhereNoneConvinces) {
+TEST_F(AnswersTest, fourAnswersAndOneThatWasLaidAreRefinedAtMost) {
   std::vector<Finalist> finalists;
   for (int column : {0, 4, 8, 12, 16, 20})
     finalists.push_back(finalist(column, -7 + column / 80.0));
@@ -76,21 +76,44 @@ TEST_F(AnswersTest, moreAreRefinedWhereNoneConvinces) {
   EXPECT_EQ(leadingOf(finalists, all), (Answers{0, 1, 2, 3, 5}));
 }
 
-TEST_F(AnswersTest, refinementTellsWhichStayDifferent) {
+TEST_F(AnswersTest, whatRefinementLeadsToTheBestIsNoAnswerOfItsOwn) {
   const std::vector<Finalist> finalists{
       finalist(0, -9), finalist(8, -8.9), finalist(16, -8.8), finalist(20, -8)};
-  // The third one wins, the second one is led to the same place.
-  const std::vector<RefinedMap> maps{
-      refined(2, 16, -11), refined(1, 15, -10.9), refined(0, 0, -10), refined(0, 1, -9.9)};
-  const RefinedAnswers answers(maps, finalists, strip_, strip_, 0.07);
+  // The third one wins. One way from the second leads there too, the other does not; the first does
+  // in both.
+  const std::vector<RefinedMap> maps{refined(2, 16, -11),
+                                     refined(1, 15, -10.9),
+                                     refined(1, 8, -10.8),
+                                     refined(0, 17, -10),
+                                     refined(0, 16, -9.9)};
+  const RefinedAnswers answers(maps, finalists, {0, 1, 2, 3}, strip_, strip_, 0.07);
+  EXPECT_EQ(answers.remaining(), (Answers{1, 2, 3}));
+  EXPECT_EQ(answers.of(1), &maps[2]);
   EXPECT_EQ(answers.of(2), &maps[0]);
-  EXPECT_EQ(answers.of(1), &maps[1]);
-  EXPECT_EQ(answers.of(0), &maps[2]);
   EXPECT_EQ(answers.of(3), nullptr);
-  EXPECT_FALSE(answers.becameBest(0));
-  EXPECT_TRUE(answers.becameBest(1));
-  EXPECT_FALSE(answers.becameBest(2));
-  EXPECT_FALSE(answers.becameBest(3));
+}
+
+TEST_F(AnswersTest, aMapThatBeganBetweenTwoAnswersCountsForTheNearerOne) {
+  const std::vector<Finalist> finalists{finalist(0), finalist(1), finalist(2)};
+  const Answers distinct = distinctFinalists(finalists, strip_, 0.07);
+  ASSERT_EQ(distinct, (Answers{0, 2}));
+  const std::vector<RefinedMap> maps{refined(1, 0, -11), refined(2, 9, -10), refined(0, 0, -9)};
+  const RefinedAnswers answers(maps, finalists, distinct, strip_, strip_, 0.07);
+  EXPECT_EQ(answers.remaining(), distinct);
+  EXPECT_EQ(answers.of(0), &maps[0]);
+  EXPECT_EQ(answers.of(2), &maps[1]);
+}
+
+TEST_F(AnswersTest, whereMapsEndIsToldOnTheirOwnMesh) {
+  const TriangleMesh fine = test::grid(40, 1, 1, 0.025);
+  const auto on_fine = [&](int finalist, int column, double score) {
+    RefinedMap map = refined(finalist, column, score);
+    map.pair.maps.forward.assign(fine.vertices.rows(), column);
+    return map;
+  };
+  const std::vector<Finalist> finalists{finalist(0), finalist(5)};
+  const std::vector<RefinedMap> maps{on_fine(0, 0, -11), on_fine(1, 2, -10)};
+  EXPECT_EQ(RefinedAnswers(maps, finalists, {0, 1}, strip_, fine, 0.07).remaining(), (Answers{0}));
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "answers.h"
 
-#include "verdict.h"
 #include <algorithm>
+#include <iterator>
 
 namespace posture {
 
@@ -46,7 +46,7 @@ std::vector<int> foremost(const std::vector<int>& distinct,
 std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
                            const std::vector<int>& distinct) {
   constexpr std::size_t LEADING = 2, ANSWERS = 4;
-  // Refinement changes the difference between two answers by up to so much.
+  // On coarse meshes the right answer may be worse by so much.
   constexpr double DECISIVE = 1;
   const double best = finalists.front().score.total();
   std::vector<int> leading;
@@ -54,8 +54,7 @@ std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
     if (std::find(leading.begin(), leading.end(), i) == leading.end()) leading.push_back(i);
   };
   for (std::size_t i = 0; i < std::min(LEADING, finalists.size()); ++i) add(static_cast<int>(i));
-  const std::size_t answers = std::min(distinct.size(), convinces(best) ? 2 : ANSWERS);
-  for (std::size_t k = 1; k < answers; ++k)
+  for (std::size_t k = 1; k < std::min(ANSWERS, distinct.size()); ++k)
     if (finalists[distinct[k]].score.total() < best + DECISIVE) add(distinct[k]);
   const auto laid = std::find_if(
       finalists.begin(), finalists.end(), [](const Finalist& f) { return f.bent.has_value(); });
@@ -65,28 +64,32 @@ std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
 
 RefinedAnswers::RefinedAnswers(const std::vector<RefinedMap>& refined,
                                const std::vector<Finalist>& finalists,
+                               const std::vector<int>& distinct,
                                const TriangleMesh& coarse_target,
                                const TriangleMesh& target,
                                double gap)
-    : refined_(refined),
-      finalists_(finalists),
-      coarse_target_(coarse_target),
-      target_(target),
-      gap_(gap) {}
-
-const RefinedMap* RefinedAnswers::of(int finalist) const {
-  const auto found = std::find_if(refined_.begin(), refined_.end(), [&](const RefinedMap& map) {
-    return gapBetween(coarse_target_, finalists_[map.finalist].maps, finalists_[finalist].maps) <=
-           gap_;
-  });
-  return found == refined_.end() ? nullptr : &*found;
+    : refined_(refined) {
+  for (const RefinedMap& map : refined) {
+    const auto far = [&](int answer) {
+      return gapBetween(coarse_target, finalists[map.finalist].maps, finalists[answer].maps);
+    };
+    began_as_.push_back(*std::min_element(
+        distinct.begin(), distinct.end(), [&](int i, int j) { return far(i) < far(j); }));
+    like_best_.push_back(gapBetween(target, map.pair.maps, refined.front().pair.maps) <= gap);
+  }
+  const auto isGone = [&](int answer) {
+    const auto is = [&](int other) { return other == answer; };
+    return answer != began_as_.front() && of(answer) == nullptr &&
+           std::any_of(began_as_.begin(), began_as_.end(), is);
+  };
+  std::remove_copy_if(distinct.begin(), distinct.end(), std::back_inserter(remaining_), isGone);
 }
 
-bool RefinedAnswers::becameBest(int finalist) const {
-  const RefinedMap& best = refined_.front();
-  const RefinedMap* map = of(finalist);
-  return map != nullptr && map != of(best.finalist) &&
-         gapBetween(target_, map->pair.maps, best.pair.maps) <= gap_;
+const RefinedMap* RefinedAnswers::of(int answer) const {
+  if (answer == began_as_.front()) return &refined_.front();
+  for (std::size_t i = 0; i < refined_.size(); ++i)
+    if (began_as_[i] == answer && !like_best_[i]) return &refined_[i];
+  return nullptr;
 }
 
 }  // namespace posture

@@ -25,35 +25,37 @@ std::vector<int> foremost(const std::vector<int>& distinct,
                           int finalist,
                           std::size_t most);
 
-/// Those worth refining: the first two, the best of other answers where their scores are too near
-/// to decide - of several where none convinces - and one that was laid if there is any.
+/// Those worth refining: the first two, the best of other answers whose scores are too near to
+/// decide, and one that was laid if there is any.
 std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
                            const std::vector<int>& distinct);
 
 /// Where refinement led different answers.
 class RefinedAnswers {
  public:
-  /// \param refined  by increasing score. All are referred to.
+  /// \param refined  by increasing score, at least one. Referred to.
+  /// \param distinct  of `finalists`.
   /// \param coarse_target, target  the meshes that finalists and refined maps lead to.
   /// \param gap  how far apart two places are not the same any more.
   RefinedAnswers(const std::vector<RefinedMap>& refined,
                  const std::vector<Finalist>& finalists,
+                 const std::vector<int>& distinct,
                  const TriangleMesh& coarse_target,
                  const TriangleMesh& target,
                  double gap);
 
-  /// The best refined map that began as an answer; null: none did.
-  const RefinedMap* of(int finalist) const;
+  /// The different answers without those that refinement led to the best map from elsewhere.
+  const std::vector<int>& remaining() const { return remaining_; }
 
-  /// Whether a finalist that was another answer was led to the best one.
-  bool becameBest(int finalist) const;
+  /// The best refined map that an answer became; null: it was not refined. Only maps that differ
+  /// from the best one, but for the answer that one began as.
+  const RefinedMap* of(int answer) const;
 
  private:
   const std::vector<RefinedMap>& refined_;
-  const std::vector<Finalist>& finalists_;
-  const TriangleMesh& coarse_target_;
-  const TriangleMesh& target_;
-  double gap_;
+  std::vector<int> remaining_;
+  std::vector<int> began_as_;    // an answer for each refined map
+  std::vector<char> like_best_;  // each refined map
 };
 
 }  // namespace posture

@@ -31,8 +31,8 @@ std::vector<Finalist> registerFinalists(const SpectralSurface& source,
                                         const SampledShape& target_samples,
                                         const std::vector<SampleMap>& pool);
 
-/// Bends the best finalists on, from where they are, as long as that makes their scores better: far
-/// from isometric pairs need several ways down. Leaves all by increasing score.
+/// Bends the best finalists on, from where they are, a few times as long as that makes their scores
+/// better: pairs far from isometric need several ways down. Leaves all by increasing score.
 void bendFurther(const SpectralSurface& source,
                  const SpectralSurface& target,
                  std::vector<Finalist>& finalists);

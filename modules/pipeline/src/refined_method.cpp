@@ -115,7 +115,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   // Those that keep the outside out, bent onto the target; the least strained first.
   const SpectralSurface source_coarse = source.coarseSurface(),
                         target_coarse = target.coarseSurface();
-  std::vector<Finalist> finalists = clock.stage("bending", 0.15, [&] {
+  std::vector<Finalist> finalists = clock.stage("bending", 0.1, [&] {
     std::vector<Finalist> registered =
         registerFinalists(source_coarse, target_coarse, source.samples, target.samples, pool);
     exchangeParts(source_coarse, target_coarse, 2 * target.samples.spacing, registered);
@@ -171,13 +171,9 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   });
   const RefinedMap& best = refined.front();
   const RefinedAnswers refined_answers(
-      refined, finalists, target_coarse.mesh, target.work.mesh, gap);
-  std::vector<int> answers =
-      foremost(distinct, finalists, target_coarse.mesh, best.finalist, MOST_ALTERNATIVES);
-  answers.erase(
-      std::remove_if(
-          answers.begin(), answers.end(), [&](int i) { return refined_answers.becameBest(i); }),
-      answers.end());
+      refined, finalists, distinct, target_coarse.mesh, target.work.mesh, gap);
+  const std::vector<int> answers = foremost(
+      refined_answers.remaining(), finalists, target_coarse.mesh, best.finalist, MOST_ALTERNATIVES);
   source_pose.unit *= best.scale;
   result.scale = source_pose.unit / target_pose.unit;
   clock.show([&] { return refinedPictures(source, target, best); });
@@ -231,7 +227,10 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
         if (static_cast<int>(k) == result.chosen) continue;
         AlternativeSummary& other = result.alternatives[k];
         const double likelihood = std::exp(std::min(0.0, -marginBefore(result, other)));
-        const RefinedMap map = refineFinalists(source, target, {&finalists[answers[k]]}).front();
+        const RefinedMap* known = refined_answers.of(answers[k]);
+        const RefinedMap map =
+            known != nullptr ? *known
+                             : refineFinalists(source, target, {&finalists[answers[k]]}).front();
         other.correspondence = correspondenceOf(source_given,
                                                 source,
                                                 target_given,

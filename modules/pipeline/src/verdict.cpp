@@ -57,10 +57,14 @@ std::string mappedMessage(const RegistrationResult& result) {
 }
 
 double marginBefore(const RegistrationResult& result, const AlternativeSummary& other) {
-  const AlternativeSummary& chosen = result.alternatives[result.chosen];
+  const std::vector<AlternativeSummary>& all = result.alternatives;
+  const AlternativeSummary& chosen = all[result.chosen];
   if (other.refined_score && chosen.refined_score)
     return *other.refined_score - *chosen.refined_score;
-  return other.score - chosen.score;
+  // Refinement tells more than the scores before it, by which another may have been the best.
+  const auto best = std::min_element(
+      all.begin(), all.end(), [](const auto& x, const auto& y) { return x.score < y.score; });
+  return other.score - best->score;
 }
 
 bool convinces(double score) { return score < EVEN_SCORE; }

@@ -64,8 +64,7 @@ struct AlternativeSummary {
   double distortion = 0;
   double return_miss = 0;
   double score = 0;
-  /// That of the map refined from it. Given where some answers were found by laying surfaces over
-  /// each other: before, the two kinds cannot be compared.
+  /// That of the map refined from it; none where another answer is better by far before that.
   std::optional<double> refined_score;
   double gap = 0;                  ///< mean distance from the chosen answer, over sqrt(area)
   std::vector<int> target_vertex;  ///< per source vertex as given, to the spacing of the coarse
