@@ -118,10 +118,11 @@ TEST(LeaveOutPatches, whatLiesBesideTheRimGoesToItAndTheRestHasNoCounterpart) {
   EXPECT_GT(within, 20);
 }
 
-TEST(RegisterShapes, aBodyInPiecesIsRegisteredWithThemJoined) {
-  // The largest piece of the one is all above the hips, that of the other all below the shoulders.
+/// A person divided in one pose and another way in the other.
+void expectRegisteredWhole(double source_share, double target_share) {
   const ArticulatedBody body = person(0, 0), other = person(1, 1);
-  const TriangleMesh source = divided(body.mesh, 0.5), target = divided(other.mesh, 0.7);
+  const TriangleMesh source = divided(body.mesh, source_share),
+                     target = divided(other.mesh, target_share);
   const RegistrationResult result = registerShapes(source, target);
   EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
   EXPECT_GE(result.source.joined_pieces, 1);
@@ -138,6 +139,16 @@ TEST(RegisterShapes, aBodyInPiecesIsRegisteredWithThemJoined) {
   }
   EXPECT_GT(count, 0.95 * static_cast<double>(source.vertices.rows()));
   EXPECT_LT(sum / count, 0.02);
+}
+
+TEST(RegisterShapes, aBodyInPiecesIsRegisteredWithThemJoined) {
+  // The largest piece of the one is all above the hips, that of the other all below the shoulders.
+  expectRegisteredWhole(0.5, 0.7);
+}
+
+TEST(RegisterShapes, piecesAreJoinedWhereTheMainSurfacesLeaveThemOut) {
+  // The largest pieces, from hips and from knees up, convince without the legs.
+  expectRegisteredWhole(0.5, 0.25);
 }
 
 }  // namespace

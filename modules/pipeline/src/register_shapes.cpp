@@ -26,6 +26,18 @@ namespace {
 /// Parts of a whole that a piece is compared with, in all.
 constexpr int MOST_PARTS = 4;
 
+/// Less of the source with a counterpart may be for pieces that found no place; joining them has to
+/// give so much more.
+constexpr double NEARLY_ALL = 0.9, CLEARLY_MORE = 0.05;
+
+/// Of the source's vertices, those with a counterpart.
+double mappedShare(const RegistrationResult& result) {
+  const std::vector<SurfacePoint>& places = result.correspondence.on_target;
+  const auto mapped = std::count_if(
+      places.begin(), places.end(), [](const SurfacePoint& p) { return p.vertex >= 0; });
+  return static_cast<double>(mapped) / static_cast<double>(places.size());
+}
+
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted:
 /// the better map tells.
 RegistrationResult registerWhole(const GivenShape& source,
@@ -186,7 +198,12 @@ RegistrationResult registerMeshes(const TriangleMesh& source_mesh,
 
   std::vector<RegistrationResult> attempts;
   attempts.push_back(registerPatched(source, target, options, clock));
-  if (!looksAlike(attempts.front())) addJoinedAttempt(source, target, options, clock, attempts);
+  const double mapped = mappedShare(attempts.front());
+  if (!looksAlike(attempts.front()) || mapped < NEARLY_ALL)
+    addJoinedAttempt(source, target, options, clock, attempts);
+  if (attempts.size() == 2 && isSameAnswer(attempts[0], attempts[1], target_mesh) &&
+      attempts[1].status == Status::REGISTERED && mappedShare(attempts[1]) > mapped + CLEARLY_MORE)
+    return std::move(attempts[1]);
   if (std::none_of(attempts.begin(), attempts.end(), looksAlike))
     addPieceAttempts(source, target, options, clock, attempts);
   return bestAttempt(std::move(attempts), target_mesh, options);
