@@ -18,7 +18,6 @@
 #include "whole_source.h"
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace posture {

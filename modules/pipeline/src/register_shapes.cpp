@@ -32,10 +32,8 @@ constexpr double NEARLY_ALL = 0.9, CLEARLY_MORE = 0.05;
 
 /// Of the source's vertices, those with a counterpart.
 double mappedShare(const RegistrationResult& result) {
-  const std::vector<SurfacePoint>& places = result.correspondence.on_target;
-  const auto mapped = std::count_if(
-      places.begin(), places.end(), [](const SurfacePoint& p) { return p.vertex >= 0; });
-  return static_cast<double>(mapped) / static_cast<double>(places.size());
+  return static_cast<double>(mappedCount(result)) /
+         static_cast<double>(result.correspondence.on_target.size());
 }
 
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted:

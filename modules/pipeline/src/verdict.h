@@ -10,14 +10,17 @@
 namespace posture {
 
 /// How many of the source's vertices, or points, the correspondence maps.
+long mappedCount(const RegistrationResult& result);
+
+/// The same in words.
 std::string mappedMessage(const RegistrationResult& result);
 
 /// Sets status and message from the chosen hypothesis: two bodies are called the same one when
 /// distances on them agree under it.
 void givePublishedVerdict(RegistrationResult& result);
 
-/// By how much the chosen answer scores better than another one, refined where both scores of that
-/// are known; negative: the other one looked better before both were refined.
+/// By how much the chosen answer scores better than another one: refined where both scores of that
+/// are known, else how much better the best of all scored before refinement.
 double marginBefore(const RegistrationResult& result, const AlternativeSummary& other);
 
 /// How far the score of the map and its margin before the next different one speak for it, in
