@@ -4,6 +4,8 @@
 
 #include <posture/core/parallel.h>
 #include <posture/refine/bend.h>
+#include <posture/refine/tip_maps.h>
+#include <posture/refine/turn_limbs.h>
 
 #include <algorithm>
 #include <iterator>
@@ -35,6 +37,12 @@ const std::vector<int> FINE_SIZES{40, 58, 76, 95, 114, 133, 152, 171, 190};
 /// then end at the same time.
 const std::vector<std::vector<double>> STIFFENINGS{{0.03, 0.1, 0.3, 1}, {0.1, 0.3, 1}};
 constexpr int ROUNDS = 6;
+
+/// Of a limb, on the work meshes; and what the score must gain by them. Turned limbs that changed
+/// it by less were as often wrong as right.
+constexpr std::size_t MOST_TURNS = 2;
+constexpr double LEAST_GAIN = 0.03;
+const std::vector<double> QUICKLY{0.3, 1};
 
 /// Parts exchanged between finalists: at least so many vertices of a coarse mesh, so many tried at
 /// once, and so often.
@@ -132,6 +140,65 @@ void sortByScore(std::vector<Scored>& maps) {
   std::stable_sort(maps.begin(), maps.end(), [](const Scored& a, const Scored& b) {
     return a.score.total() < b.score.total();
   });
+}
+
+/// What of the work meshes' map the coarse meshes hold.
+BentPair onCoarse(const RefinedShape& source, const RefinedShape& target, const BentPair& pair) {
+  const auto matches =
+      [](const ReducedMesh& from, const std::vector<int>& map, const ReducedMesh& to) {
+        std::vector<int> coarse;
+        for (int v : from.vertex) coarse.push_back(to.nearest[map[v]]);
+        return coarse;
+      };
+  return {{matches(source.coarse, pair.maps.forward, target.coarse),
+           matches(target.coarse, pair.maps.backward, source.coarse)},
+          pair.bent_a(source.coarse.vertex, Eigen::all),
+          pair.bent_b(target.coarse.vertex, Eigen::all)};
+}
+
+/// A map with the limbs turned about themselves that fit clearly better so. Which turns are worth
+/// trying is seen on the coarse meshes; each limb is turned alone, and then together all for which
+/// the score was better.
+RefinedMap withLimbsTurned(const RefinedShape& source,
+                           const RefinedShape& target,
+                           const SpectralSurface& source_work,
+                           const SpectralSurface& target_work,
+                           RefinedMap map) {
+  if (map.laid) return map;
+  const SpectralSurface source_coarse = source.coarseSurface(),
+                        target_coarse = target.coarseSurface();
+  const BentPair coarse = onCoarse(source, target, map.pair);
+  const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
+  const std::vector<int> tips = tipsOf(source.samples);
+  std::vector<std::vector<LimbTurn>> turns(tips.size());
+  const auto vertex = [&](int limb) { return source.sample_vertex[tips[limb]]; };
+  const auto withTurns = [&](const std::vector<int>& limbs, const std::vector<double>& shares) {
+    RefinedMap turned = map;
+    bool any = false;
+    for (int i : limbs)
+      any |= turnLimb(source_work, target_work, vertex(i), softness, turns[i], turned.pair);
+    if (!any) return turned;
+    for (double share : shares)
+      settle(source_work, target_work, share * softness, ROUNDS, turned.pair);
+    turned.score = scoreMaps(source_work, target_work, turned.pair.maps);
+    return turned;
+  };
+  std::vector<char> gains(tips.size(), 0);
+  parallelFor(static_cast<int>(tips.size()), [&](int i) {
+    turns[i] = likelyTurns(source_coarse,
+                           target_coarse,
+                           source.coarse.nearest[vertex(i)],
+                           softness,
+                           coarse,
+                           MOST_TURNS);
+    gains[i] = withTurns({i}, QUICKLY).score.total() < map.score.total();
+  });
+  std::vector<int> limbs;
+  for (std::size_t i = 0; i < gains.size(); ++i)
+    if (gains[i] != 0) limbs.push_back(static_cast<int>(i));
+  if (limbs.empty()) return map;
+  RefinedMap turned = withTurns(limbs, STIFFENINGS.front());
+  return turned.score.total() < map.score.total() - LEAST_GAIN ? turned : map;
 }
 
 }  // namespace
@@ -290,6 +357,9 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                          : scoreMaps(work, target_work, map.pair.maps);
   });
   sortByScore(refined);
+  RefinedMap& best = refined.front();
+  best = withLimbsTurned(
+      rescaled(source, best.scale), target, surfaces.source(best.scale), target_work, best);
   return refined;
 }
 

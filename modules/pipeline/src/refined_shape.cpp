@@ -84,6 +84,7 @@ void addSamples(RefinedShape& shape) {
       computeLandmarks(shape.work.mesh, FastMarching(shape.work.mesh), SAMPLES);
   const CanonicalForm form = embedSamples(landmarks);
   shape.stress = form.stress;
+  shape.sample_vertex = landmarks.vertices;
   shape.samples = {shape.basis.functions(landmarks.vertices, Eigen::all).cast<float>(),
                    sampleDistances(landmarks),
                    landmarks.confidence.cast<double>(),

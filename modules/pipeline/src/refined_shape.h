@@ -23,7 +23,8 @@ struct RefinedShape {
   ReducedMesh coarse;           ///< of `work`: where candidates are compared
   SpectralBasis basis;          ///< on `work`
   SampledShape samples;         ///< on `work`
-  double stress = 0;            ///< of the samples' canonical form
+  std::vector<int> sample_vertex;  ///< each sample's vertex of `work`
+  double stress = 0;               ///< of the samples' canonical form
 
   /// A place on `full` as one on the main surface.
   FacePoint onMainSurface(const FacePoint& place) const;

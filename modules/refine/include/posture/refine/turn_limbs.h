@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/refine/settle.h>
+#include <posture/refine/surface.h>
+
+#include <vector>
+
+namespace posture {
+
+/// A limb turned about itself: its end as a whole, what lies between end and body in proportion. A
+/// full turn leaves the end as it was and winds the limb the other way round.
+struct LimbTurn {
+  double angle = 0;  ///< of the end, in radians, about the way from body to tip
+  double end = 0;    ///< what is nearer than this to the tip turns as a whole
+  double body = 0;   ///< what is farther than this does not turn
+};
+
+/// Where a limb is turned wrongly about itself no surface gets out of that by settling: a palm lies
+/// where the back of the hand belongs, or a forearm is wound by 190 degrees where it should be
+/// -170. Half and whole turns are tried on the limb alone, which then settles.
+/// \param tip  a vertex of a, the end of a limb.
+/// \param pair  as the surfaces lie so far; both in one unit, about the square roots of their
+/// areas. \return  the turns after which the limb fits best, at most `most`, of those after which
+/// it fits
+///          about as well as it does or better; the best first. None where there is no limb to
+///          speak of.
+std::vector<LimbTurn> likelyTurns(const SpectralSurface& a,
+                                  const SpectralSurface& b,
+                                  int tip,
+                                  double softness,
+                                  const BentPair& pair,
+                                  std::size_t most);
+
+/// Turns the limb that ends at `tip` as that of the `turns` says with which it fits best, unless it
+/// fits better without. \return  whether it was turned; `pair` then has the limb's new matches and
+/// places, and the rest is left to settle().
+bool turnLimb(const SpectralSurface& a,
+              const SpectralSurface& b,
+              int tip,
+              double softness,
+              const std::vector<LimbTurn>& turns,
+              BentPair& pair);
+
+}  // namespace posture
