@@ -74,11 +74,12 @@ void registerVerb(const RegisterOptions& options, Common& common) {
   const RunDescription run = describe(options, result, elapsed.count());
   removeResultFiles(options.folder, {options.source, options.target});  // no mix of two results
   writeResultFiles(options.folder, source.shape, target.shape, result, segments);
-  writeText(options.folder / "report.json", reportJson(result, run));
+  const std::string report = reportJson(result, run);  // once: it says how much memory was used
+  writeText(options.folder / "report.json", report);
   writeText(options.folder / "report.html", reportHtml(result, run));
   bar.clear();
 
-  if (common.json) std::printf("%s", reportJson(result, run).c_str());
+  if (common.json) std::printf("%s", report.c_str());
   if (result.status == Status::UNDECIDED) {
     common.exit_code = EXIT_UNDECIDED;
     std::fprintf(stderr, "posture: %s\n", result.message.c_str());
