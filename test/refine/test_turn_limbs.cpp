@@ -115,6 +115,15 @@ TEST_F(TurnLimbs, aHandWithItsBackWhereThePalmBelongsIsTurned) {
   EXPECT_LT(meanMiss(club_.mesh, pair.maps.backward), 0.3);
 }
 
+TEST(TurnLimb, aBallHasNoLimbs) {
+  TriangleMesh ball = test::sphere(3);
+  ball.vertices /= std::sqrt(faceAreas(ball).sum());
+  const SpectralSurface surface = test::spectralSurface(ball, 60);
+  const std::vector<int> same = nearestOf(ball.vertices, ball);
+  EXPECT_TRUE(likelyTurns(surface, surface, 0, 100, {{same, same}, ball.vertices, ball.vertices}, 3)
+                  .empty());
+}
+
 TEST_F(TurnLimbs, nothingToTryWhereTheSurfaceIsTooSmall) {
   // No face of this one is within reach of a corner; a sphere of twelve vertices is.
   TriangleMesh large = test::sphere(0);

@@ -38,11 +38,13 @@ const std::vector<int> FINE_SIZES{40, 58, 76, 95, 114, 133, 152, 171, 190};
 const std::vector<std::vector<double>> STIFFENINGS{{0.03, 0.1, 0.3, 1}, {0.1, 0.3, 1}};
 constexpr int ROUNDS = 6;
 
-/// Of a limb, on the work meshes; and what the score must gain by them. Turned limbs that changed
-/// it by less were as often wrong as right.
+/// How many turns of a limb are tried on the work meshes, and how all settles then to be compared.
 constexpr std::size_t MOST_TURNS = 2;
-constexpr double LEAST_GAIN = 0.03;
 const std::vector<double> QUICKLY{0.3, 1};
+
+/// What turned limbs must gain of the score: those that changed it by less were as often wrong as
+/// right.
+constexpr double LEAST_GAIN = 0.03;
 
 /// Parts exchanged between finalists: at least so many vertices of a coarse mesh, so many tried at
 /// once, and so often.
@@ -164,7 +166,6 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
                            const SpectralSurface& source_work,
                            const SpectralSurface& target_work,
                            RefinedMap map) {
-  if (map.laid) return map;
   const SpectralSurface source_coarse = source.coarseSurface(),
                         target_coarse = target.coarseSurface();
   const BentPair coarse = onCoarse(source, target, map.pair);
@@ -357,9 +358,13 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                          : scoreMaps(work, target_work, map.pair.maps);
   });
   sortByScore(refined);
+  if (refined.empty() || refined.front().laid) return refined;
   RefinedMap& best = refined.front();
+  // Its rivals are not turned: what it is compared by stays as it was.
+  const MapScore judged = best.score;
   best = withLimbsTurned(
       rescaled(source, best.scale), target, surfaces.source(best.scale), target_work, best);
+  best.score = judged;
   return refined;
 }
 

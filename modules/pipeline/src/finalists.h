@@ -67,6 +67,8 @@ struct RefinedMap {
 };
 
 /// Takes finalists to the work meshes and makes them as exact as those allow; by increasing score.
+/// Limbs of the first are turned about themselves where they fit better so; its score is that
+/// before.
 std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const RefinedShape& target,
                                         const std::vector<const Finalist*>& finalists);

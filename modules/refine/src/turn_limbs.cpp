@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 namespace posture {
@@ -89,9 +90,12 @@ class Spine {
     for (int i = 0; i < LEVELS; ++i)
       if (weight[i] > 0)
         middle_[i] /= weight[i];
-      else if (i > 0)
-        middle_[i] = middle_[i - 1];
+      else
+        is_whole_ = false;
   }
+
+  /// Whether the mesh is fine enough to have vertices all along it; otherwise there is no turning.
+  bool isWhole() const { return is_whole_; }
 
   /// About the limb, at a distance from its tip.
   Eigen::Isometry3d turn(double distance, double angle) const {
@@ -113,6 +117,7 @@ class Spine {
   }
 
   std::vector<Eigen::Vector3d> middle_;
+  bool is_whole_ = true;
 };
 
 /// Places and normals of a limb.
@@ -120,8 +125,12 @@ struct Lie {
   Points places, normals;
 };
 
+Spine spineOf(const Limb& limb, const Lie& lie) {
+  return {lie.places, limb.distance, limb.surface->laplacian.mass};
+}
+
 Lie turned(const Limb& limb, const Lie& lie, const LimbTurn& turn, double sign) {
-  const Spine spine(lie.places, limb.distance, limb.surface->laplacian.mass);
+  const Spine spine = spineOf(limb, lie);
   Lie now = lie;
   if (turn.angle == 0) return now;
   for (int v = 0; v < lie.places.rows(); ++v) {
@@ -184,6 +193,7 @@ class LimbPair {
     if (!is_limb_) return;
     lie_a_ = lieOf(a_, pair.bent_a);
     lie_b_ = lieOf(b_, pair.bent_b);
+    is_limb_ = spineOf(a_, lie_a_).isWhole() && spineOf(b_, lie_b_).isWhole();
   }
 
   /// The other functions are for limbs.
@@ -245,12 +255,20 @@ std::vector<Trial> trials(const LimbPair& limb, const std::vector<LimbTurn>& tur
   parallelFor(static_cast<int>(tried.size()), [&](int k) {
     Trial& trial = tried[k];
     if (k > 0) trial.turn = turns[k - 1];
-    trial.limb = limb.tried(trial.turn);
-    trial.misfit = limb.misfit(trial.limb);
+    try {
+      trial.limb = limb.tried(trial.turn);
+      trial.misfit = limb.misfit(trial.limb);
+    } catch (const std::runtime_error&) {  // a crumb of the limb that nothing holds
+      trial.misfit = std::numeric_limits<double>::infinity();
+    }
   });
   const double unturned = tried.front().misfit;
   tried.erase(tried.begin());
-  for (Trial& trial : tried) trial.misfit /= unturned;
+  for (Trial& trial : tried) {
+    trial.misfit /= unturned;
+    if (!std::isfinite(unturned) || !std::isfinite(trial.misfit))
+      trial.misfit = std::numeric_limits<double>::infinity();
+  }
   std::stable_sort(tried.begin(), tried.end(), [](const Trial& x, const Trial& y) {
     return x.misfit < y.misfit;
   });

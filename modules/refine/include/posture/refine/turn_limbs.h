@@ -13,19 +13,18 @@ namespace posture {
 /// full turn leaves the end as it was and winds the limb the other way round.
 struct LimbTurn {
   double angle = 0;  ///< of the end, in radians, about the way from body to tip
-  double end = 0;    ///< what is nearer than this to the tip turns as a whole
-  double body = 0;   ///< what is farther than this does not turn
+  double end = 0;    ///< distance from the tip up to which all turns as a whole
+  double body = 1;   ///< from which on nothing turns; more than `end`
 };
 
 /// Where a limb is turned wrongly about itself no surface gets out of that by settling: a palm lies
 /// where the back of the hand belongs, or a forearm is wound by 190 degrees where it should be
 /// -170. Half and whole turns are tried on the limb alone, which then settles.
-/// \param tip  a vertex of a, the end of a limb.
-/// \param pair  as the surfaces lie so far; both in one unit, about the square roots of their
-/// areas. \return  the turns after which the limb fits best, at most `most`, of those after which
-/// it fits
-///          about as well as it does or better; the best first. None where there is no limb to
-///          speak of.
+/// \param tip   a vertex of a, the end of a limb.
+/// \param pair  as the surfaces lie so far, in a unit of about the square roots of their areas.
+/// \return  at most `most` turns, the best first, after which the limb fits about as well as it
+/// does
+///          or better; none where there is no limb to speak of.
 std::vector<LimbTurn> likelyTurns(const SpectralSurface& a,
                                   const SpectralSurface& b,
                                   int tip,
@@ -34,8 +33,9 @@ std::vector<LimbTurn> likelyTurns(const SpectralSurface& a,
                                   std::size_t most);
 
 /// Turns the limb that ends at `tip` as that of the `turns` says with which it fits best, unless it
-/// fits better without. \return  whether it was turned; `pair` then has the limb's new matches and
-/// places, and the rest is left to settle().
+/// fits better without.
+/// \return  whether it was turned; `pair` then has the limb's new matches and places, and the rest
+///          is left to settle().
 bool turnLimb(const SpectralSurface& a,
               const SpectralSurface& b,
               int tip,
