@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 
+#include "nearest_rotations.h"
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -19,42 +20,6 @@ using Order = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
 /// The factors L D L' of a matrix whose rows are in order already.
 using Factors = Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>;
-
-Eigen::Matrix3d rotationBySvd(const Eigen::Matrix3d& m) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d u = svd.matrixU();
-  if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) *= -1;
-  return u * svd.matrixV().transpose();
-}
-
-/// The rotation R with the largest trace of R' M. M = R P with P symmetric; its trace t is the
-/// largest root of a quartic in M's invariants (Horn 1987; Theobald 2005), and by Cayley and
-/// Hamilton (M M' + I2 1) R = cof M + t M with I2 = (t^2 - |M|^2) / 2. By singular values where two
-/// rotations do nearly as well.
-Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& given) {
-  constexpr int MAX_STEPS = 30;
-  constexpr double CONVERGED = 1e-14, AMBIGUOUS = 1e-6;
-  const Eigen::Matrix3d m = given / given.norm();
-  Eigen::Matrix3d cofactors;
-  cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
-  const double det = m.col(0).dot(cofactors.col(0));
-  const double constant = 1 - 4 * cofactors.squaredNorm();
-  // From above, where Newton's steps never pass the root.
-  double t = std::sqrt(3.0);
-  for (int step = 0; step < MAX_STEPS; ++step) {
-    const double value = ((t * t - 2) * t - 8 * det) * t + constant;
-    const double slope = 4 * ((t * t - 1) * t - 2 * det);
-    const double change = value / slope;
-    t -= change;
-    if (!(change > CONVERGED)) break;
-  }
-  const double second = 0.5 * (t * t - 1);
-  // The product of the sums of two singular values each.
-  if (!(t * second - det > AMBIGUOUS)) return rotationBySvd(given);
-  Eigen::Matrix3d system = m * m.transpose();
-  system.diagonal().array() += second;
-  return system.inverse() * (cofactors + t * m);
-}
 
 /// Solves for all three columns at once: Eigen goes through the factors for one after the other.
 void solveInPlace(const Factors& factors, Points& x) {
@@ -73,8 +38,17 @@ void solveInPlace(const Factors& factors, Points& x) {
 
 }  // namespace
 
+/// An edge with its half-edges.
+struct WeightedEdge {
+  int i, j;
+  double weight;
+  Eigen::RowVector3d rest;  // x_i - x_j
+};
+
 struct Arap::Impl {
-  Points rest;
+  Eigen::Index vertices() const { return mass.size(); }
+
+  std::vector<WeightedEdge> edges;
   Sparse weights;  // n x n, graph Laplacian of the weights w_ij >= 0
   Order order;     // in which few entries fill in when it is factored
   Vector mass;
@@ -87,17 +61,13 @@ struct Arap::Impl {
 };
 
 std::vector<Eigen::Matrix3d> Arap::Impl::rotations(const Points& p) const {
-  std::vector<Eigen::Matrix3d> r(p.rows());
-  for (int i = 0; i < p.rows(); ++i) {
-    Eigen::Matrix3d s = Eigen::Matrix3d::Zero();
-    for (Sparse::InnerIterator it(weights, i); it; ++it) {
-      const int j = static_cast<int>(it.row());
-      if (j == i) continue;
-      const Eigen::Vector3d bent = it.value() * (p.row(i) - p.row(j)).transpose();
-      s.noalias() -= bent * (rest.row(i) - rest.row(j));
-    }
-    r[i] = nearestRotation(s);
+  std::vector<Eigen::Matrix3d> r(vertices(), Eigen::Matrix3d::Zero());
+  for (const WeightedEdge& e : edges) {
+    const Eigen::Matrix3d moved = (e.weight * (p.row(e.i) - p.row(e.j))).transpose() * e.rest;
+    r[e.i] += moved;
+    r[e.j] += moved;
   }
+  toNearestRotations(r);
   return r;
 }
 
@@ -105,19 +75,16 @@ std::vector<Eigen::Matrix3d> Arap::Impl::rotations(const Points& p) const {
 /// is the median strain: lengths add up beyond it instead of squares.
 Vector Arap::Impl::cellStiffness(const Points& p) const {
   const std::vector<Eigen::Matrix3d> r = rotations(p);
-  Vector strain = Vector::Zero(rest.rows());
-  for (int i = 0; i < rest.rows(); ++i) {
-    double change = 0, length = 0;
-    for (Sparse::InnerIterator it(weights, i); it; ++it) {
-      const int j = static_cast<int>(it.row());
-      if (j == i) continue;
-      const Eigen::Vector3d bent = (p.row(i) - p.row(j)).transpose();
-      const Eigen::Vector3d rigid = r[i] * (rest.row(i) - rest.row(j)).transpose();
-      change -= it.value() * (bent - rigid).squaredNorm();
-      length -= it.value() * rigid.squaredNorm();
+  Vector change = Vector::Zero(vertices()), length = change;
+  for (const WeightedEdge& e : edges) {
+    const Eigen::Vector3d bent = (p.row(e.i) - p.row(e.j)).transpose();
+    for (int v : {e.i, e.j}) {
+      const Eigen::Vector3d rigid = r[v] * e.rest.transpose();
+      change[v] += e.weight * (bent - rigid).squaredNorm();
+      length[v] += e.weight * rigid.squaredNorm();
     }
-    if (length > 0) strain[i] = change / length;
   }
+  const Vector strain = (length.array() > 0).select(change.cwiseQuotient(length), 0);
   std::vector<double> sorted(strain.data(), strain.data() + strain.size());
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
@@ -127,16 +94,14 @@ Vector Arap::Impl::cellStiffness(const Points& p) const {
 
 /// The right-hand side the rotated edges at rest make.
 Points Arap::Impl::rigidPull(const std::vector<Eigen::Matrix3d>& r, const Vector& stiffness) const {
-  Points b = Points::Zero(rest.rows(), 3);
-  for (int i = 0; i < rest.rows(); ++i)
-    for (Sparse::InnerIterator it(weights, i); it; ++it) {
-      const int j = static_cast<int>(it.row());
-      if (j != i)
-        b.row(i) -=
-            0.5 * it.value() *
-            ((stiffness[i] * r[i] + stiffness[j] * r[j]) * (rest.row(i) - rest.row(j)).transpose())
-                .transpose();
-    }
+  Points b = Points::Zero(vertices(), 3);
+  for (const WeightedEdge& e : edges) {
+    const Eigen::RowVector3d turned =
+        0.5 * e.weight *
+        ((stiffness[e.i] * r[e.i] + stiffness[e.j] * r[e.j]) * e.rest.transpose()).transpose();
+    b.row(e.i) += turned;
+    b.row(e.j) -= turned;
+  }
   return b;
 }
 
@@ -160,14 +125,11 @@ Sparse Arap::Impl::weightsWith(const Vector& stiffness) const {
 
 double Arap::Impl::energy(const Points& p, const std::vector<Eigen::Matrix3d>& r) const {
   double sum = 0;
-  for (int i = 0; i < rest.rows(); ++i)
-    for (Sparse::InnerIterator it(weights, i); it; ++it) {
-      const int j = static_cast<int>(it.row());
-      if (j == i) continue;
-      const Eigen::Vector3d bent = (p.row(i) - p.row(j)).transpose();
-      const Eigen::Vector3d rigid = r[i] * (rest.row(i) - rest.row(j)).transpose();
-      sum -= 0.5 * it.value() * (bent - rigid).squaredNorm();
-    }
+  for (const WeightedEdge& e : edges) {
+    const Eigen::Vector3d bent = (p.row(e.i) - p.row(e.j)).transpose();
+    for (int v : {e.i, e.j})
+      sum += 0.5 * e.weight * (bent - r[v] * e.rest.transpose()).squaredNorm();
+  }
   return sum / mass.sum();
 }
 
@@ -175,7 +137,6 @@ Arap::Arap(const TriangleMesh& rest, const Laplacian& laplacian) {
   const int n = static_cast<int>(rest.vertices.rows());
   require(laplacian.mass.size() == n, "Arap: the Laplacian is of another mesh");
   auto impl = std::make_unique<Impl>();
-  impl->rest = rest.vertices;
   impl->mass = laplacian.mass;
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(laplacian.stiffness.nonZeros() + n);
@@ -185,6 +146,9 @@ Arap::Arap(const TriangleMesh& rest, const Laplacian& laplacian) {
       if (it.row() != j && it.value() < 0) {
         entries.emplace_back(it.row(), j, it.value());
         entries.emplace_back(j, j, -it.value());
+        const int i = static_cast<int>(it.row());
+        if (i < j)
+          impl->edges.push_back({i, j, -it.value(), rest.vertices.row(i) - rest.vertices.row(j)});
       }
   }
   impl->weights.resize(n, n);
@@ -200,7 +164,7 @@ Arap::Arap(Arap&&) noexcept = default;
 Arap& Arap::operator=(Arap&&) noexcept = default;
 
 std::vector<Eigen::Matrix3d> Arap::rotations(const Points& bent) const {
-  require(bent.rows() == impl_->rest.rows(), "Arap: one place a vertex");
+  require(bent.rows() == impl_->vertices(), "Arap: one place a vertex");
   return impl_->rotations(bent);
 }
 
@@ -241,7 +205,7 @@ Points Arap::pull(const Points& start,
                   const Points& goals,
                   const Attraction& attraction,
                   int iterations) const {
-  const auto n = impl_->rest.rows();
+  const auto n = impl_->vertices();
   require(start.rows() == n && goals.rows() == n, "Arap: one place and one goal a vertex");
   require(attraction.impl_->strength.size() == n, "Arap: the attraction is of another surface");
   const Points pull = attraction.impl_->strength.asDiagonal() * goals;
@@ -256,7 +220,7 @@ Points Arap::pull(const Points& start,
 }
 
 double Arap::energy(const Points& bent) const {
-  require(bent.rows() == impl_->rest.rows(), "Arap: one place a vertex");
+  require(bent.rows() == impl_->vertices(), "Arap: one place a vertex");
   return impl_->energy(bent, impl_->rotations(bent));
 }
 

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace posture {
+
+/// Replaces each matrix M by the rotation R with the largest trace of R' M: by one of those, where
+/// several are as good.
+void toNearestRotations(std::vector<Eigen::Matrix3d>& matrices);
+
+}  // namespace posture
