@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "finalists.h"
+#include "refined_maps.h"
 #include <cstddef>
 #include <vector>
 

@@ -8,11 +8,13 @@
 #include <posture/refine/settle.h>
 #include <posture/refine/surface.h>
 
-#include "refined_shape.h"
 #include <optional>
 #include <vector>
 
 namespace posture {
+
+/// The most functions that finalists are bent with.
+constexpr int LARGEST_BASIS = 60;
 
 /// A candidate that keeps the outside out, registered on the coarse meshes.
 struct Finalist {
@@ -56,25 +58,5 @@ void exchangeParts(const SpectralSurface& source,
                    const SpectralSurface& target,
                    double gap,
                    std::vector<Finalist>& finalists);
-
-/// A map between the work meshes with what speaks against it.
-struct RefinedMap {
-  int finalist = 0;   ///< index of the one it was made of
-  double scale = 1;   ///< what the source was multiplied by for it
-  bool laid = false;  ///< the two were laid over each other: much may be missing
-  BentPair pair;
-  MapScore score;
-};
-
-/// Takes finalists to the work meshes and makes them as exact as those allow; by increasing score.
-/// Limbs of the first are turned about themselves where they fit better so; its score is that
-/// before.
-std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
-                                        const RefinedShape& target,
-                                        const std::vector<const Finalist*>& finalists);
-
-/// How soft surfaces are when they settle, on any resolution: as the largest basis is fine.
-/// From the eigenvalues of both shapes.
-double settlingSoftness(const Vector& eigenvalues_a, const Vector& eigenvalues_b);
 
 }  // namespace posture

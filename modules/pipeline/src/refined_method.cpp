@@ -10,6 +10,7 @@
 #include "finalists.h"
 #include "loose_pieces.h"
 #include "pose.h"
+#include "refined_maps.h"
 #include "refined_pictures.h"
 #include "refined_result.h"
 #include "refined_shape.h"

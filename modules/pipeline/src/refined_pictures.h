@@ -4,7 +4,7 @@
 
 #include <posture/pipeline/observer.h>
 
-#include "finalists.h"
+#include "refined_maps.h"
 #include "refined_shape.h"
 
 namespace posture {

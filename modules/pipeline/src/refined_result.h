@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "finalists.h"
 #include "given_shape.h"
+#include "refined_maps.h"
 #include "refined_shape.h"
 
 namespace posture {

@@ -22,8 +22,7 @@ struct LimbTurn {
 /// -170. Half and whole turns are tried on the limb alone, which then settles.
 /// \param tip   a vertex of a, the end of a limb.
 /// \param pair  as the surfaces lie so far, in a unit of about the square roots of their areas.
-/// \return  at most `most` turns, the best first, after which the limb fits about as well as it
-/// does
+/// \return  at most `most` turns, the best first, after which the limb fits about as well as before
 ///          or better; none where there is no limb to speak of.
 std::vector<LimbTurn> likelyTurns(const SpectralSurface& a,
                                   const SpectralSurface& b,

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refined_maps.h"
+
+#include <posture/core/parallel.h>
+#include <posture/refine/bend.h>
+#include <posture/refine/tip_maps.h>
+#include <posture/refine/turn_limbs.h>
+
+#include "by_score.h"
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace posture {
+namespace {
+
+const std::vector<int> FINE_SIZES{40, 58, 76, 95, 114, 133, 152, 171, 190};
+
+/// A soft surface slides far, a stiff one keeps what is known: which of the two ways down is better
+/// depends on how isometric the pair is, and the score tells. The longer way first: two threads
+/// then end at the same time.
+const std::vector<std::vector<double>> STIFFENINGS{{0.03, 0.1, 0.3, 1}, {0.1, 0.3, 1}};
+constexpr int ROUNDS = 6;
+
+/// How many turns of a limb are tried on the work meshes, and how all settles then to be compared.
+constexpr std::size_t MOST_TURNS = 2;
+const std::vector<double> QUICKLY{0.3, 1};
+
+/// What turned limbs must gain of the score: those that changed it by less were as often wrong as
+/// right.
+constexpr double LEAST_GAIN = 0.03;
+
+/// Maps of the coarse meshes on the work meshes, through larger and larger bases.
+BentPair sharpened(const Eigen::MatrixXf& coarse_functions,
+                   const SpectralSurface& source,
+                   const Eigen::MatrixXf& target_coarse_functions,
+                   const SpectralSurface& target,
+                   const VertexMaps& maps) {
+  const VertexMaps start = spreadToVertices(source,
+                                            target,
+                                            coarse_functions,
+                                            target_coarse_functions,
+                                            {maps.forward, maps.backward, 0},
+                                            LARGEST_BASIS);
+  const VertexMaps sharp = sharpen(source, target, FINE_SIZES, start);
+  return {sharp,
+          target.mesh.vertices(sharp.forward, Eigen::all),
+          source.mesh.vertices(sharp.backward, Eigen::all)};
+}
+
+/// The work meshes of the target and of the source at each finalist's scale, most of which are 1.
+class WorkSurfaces {
+ public:
+  WorkSurfaces(const RefinedShape& source,
+               const RefinedShape& target,
+               const std::vector<const Finalist*>& finalists) {
+    for (const Finalist* finalist : finalists)
+      if (std::find(scales_.begin(), scales_.end(), finalist->scale) == scales_.end())
+        scales_.push_back(finalist->scale);
+    surfaces_.resize(1 + scales_.size());
+    parallelFor(static_cast<int>(surfaces_.size()), [&](int i) {
+      const RefinedShape shape = i == 0 ? target : rescaled(source, scales_[i - 1]);
+      surfaces_[i] = std::make_unique<const SpectralSurface>(shape.workSurface());
+    });
+  }
+
+  const SpectralSurface& target() const { return *surfaces_[0]; }
+  const SpectralSurface& source(double scale) const {
+    const auto found = std::find(scales_.begin(), scales_.end(), scale);
+    return *surfaces_[1 + (found - scales_.begin())];
+  }
+
+ private:
+  std::vector<double> scales_;
+  std::vector<std::unique_ptr<const SpectralSurface>> surfaces_;  // the target's first
+};
+
+/// What of the work meshes' map the coarse meshes hold.
+BentPair onCoarse(const RefinedShape& source, const RefinedShape& target, const BentPair& pair) {
+  const auto matches =
+      [](const ReducedMesh& from, const std::vector<int>& map, const ReducedMesh& to) {
+        std::vector<int> coarse;
+        for (int v : from.vertex) coarse.push_back(to.nearest[map[v]]);
+        return coarse;
+      };
+  return {{matches(source.coarse, pair.maps.forward, target.coarse),
+           matches(target.coarse, pair.maps.backward, source.coarse)},
+          pair.bent_a(source.coarse.vertex, Eigen::all),
+          pair.bent_b(target.coarse.vertex, Eigen::all)};
+}
+
+/// A map with the limbs turned about themselves that fit clearly better so. Which turns are worth
+/// trying is seen on the coarse meshes; each limb is turned alone, and then together all for which
+/// the score was better, or the best of them where they do not go together.
+RefinedMap withLimbsTurned(const RefinedShape& source,
+                           const RefinedShape& target,
+                           const SpectralSurface& source_work,
+                           const SpectralSurface& target_work,
+                           RefinedMap map) {
+  const SpectralSurface source_coarse = source.coarseSurface(),
+                        target_coarse = target.coarseSurface();
+  const BentPair coarse = onCoarse(source, target, map.pair);
+  const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
+  const std::vector<int> tips = tipsOf(source.samples);
+  std::vector<std::vector<LimbTurn>> turns(tips.size());
+  const auto vertex = [&](int limb) { return source.sample_vertex[tips[limb]]; };
+  const auto withTurns = [&](const std::vector<int>& limbs, const std::vector<double>& shares) {
+    RefinedMap turned = map;
+    bool any = false;
+    for (int i : limbs)
+      any |= turnLimb(source_work, target_work, vertex(i), softness, turns[i], turned.pair);
+    if (!any) return turned;
+    for (double share : shares)
+      settle(source_work, target_work, share * softness, ROUNDS, turned.pair);
+    turned.score = scoreMaps(source_work, target_work, turned.pair.maps);
+    return turned;
+  };
+  std::vector<double> gains(tips.size(), 0);
+  parallelFor(static_cast<int>(tips.size()), [&](int i) {
+    turns[i] = likelyTurns(source_coarse,
+                           target_coarse,
+                           source.coarse.nearest[vertex(i)],
+                           softness,
+                           coarse,
+                           MOST_TURNS);
+    gains[i] = map.score.total() - withTurns({i}, QUICKLY).score.total();
+  });
+  std::vector<int> limbs;
+  for (std::size_t i = 0; i < gains.size(); ++i)
+    if (gains[i] > 0) limbs.push_back(static_cast<int>(i));
+  if (limbs.empty()) return map;
+  const auto fitsBetter = [&](const RefinedMap& turned) {
+    return turned.score.total() < map.score.total() - LEAST_GAIN;
+  };
+  RefinedMap turned = withTurns(limbs, STIFFENINGS.front());
+  if (limbs.size() > 1 && !fitsBetter(turned)) {
+    const auto best = std::max_element(gains.begin(), gains.end());
+    turned = withTurns({static_cast<int>(best - gains.begin())}, STIFFENINGS.front());
+  }
+  return fitsBetter(turned) ? turned : map;
+}
+
+}  // namespace
+
+std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
+                                        const RefinedShape& target,
+                                        const std::vector<const Finalist*>& finalists) {
+  const WorkSurfaces surfaces(source, target, finalists);
+  const SpectralSurface& target_work = surfaces.target();
+  std::vector<BentPair> starts(finalists.size());
+  parallelFor(static_cast<int>(finalists.size()), [&](int i) {
+    const Finalist& finalist = *finalists[i];
+    const RefinedShape scaled = rescaled(source, finalist.scale);
+    starts[i] = finalist.bent ? carryUp(scaled.work.mesh,
+                                        scaled.coarse,
+                                        BendableSurface(scaled.coarse.mesh),
+                                        target.work.mesh,
+                                        target.coarse,
+                                        BendableSurface(target.coarse.mesh),
+                                        *finalist.bent)
+                              : sharpened(scaled.coarseFunctions(),
+                                          surfaces.source(finalist.scale),
+                                          target.coarseFunctions(),
+                                          target_work,
+                                          finalist.maps);
+  });
+  std::vector<RefinedMap> refined(finalists.size() * STIFFENINGS.size());
+  parallelFor(static_cast<int>(refined.size()), [&](int i) {
+    RefinedMap& map = refined[i];
+    map.finalist = i / static_cast<int>(STIFFENINGS.size());
+    map.scale = finalists[map.finalist]->scale;
+    map.laid = finalists[map.finalist]->bent.has_value();
+    map.pair = starts[map.finalist];
+    const SpectralSurface& work = surfaces.source(map.scale);
+    const double softness = settlingSoftness(work.eigenvalues, target_work.eigenvalues);
+    for (double share : STIFFENINGS[i % STIFFENINGS.size()])
+      settle(work, target_work, share * softness, ROUNDS, map.pair);
+    map.score = map.laid ? scoreLaid(work, target_work, map.pair)
+                         : scoreMaps(work, target_work, map.pair.maps);
+  });
+  sortByScore(refined);
+  if (refined.empty() || refined.front().laid) return refined;
+  RefinedMap& best = refined.front();
+  // Its rivals are not turned: what it is compared by stays as it was.
+  const MapScore judged = best.score;
+  best = withLimbsTurned(
+      rescaled(source, best.scale), target, surfaces.source(best.scale), target_work, best);
+  best.score = judged;
+  return refined;
+}
+
+double settlingSoftness(const Vector& eigenvalues_a, const Vector& eigenvalues_b) {
+  const auto k = std::min(eigenvalues_a.size(), eigenvalues_b.size());
+  return 0.5 * (eigenvalues_a[k - 1] + eigenvalues_b[k - 1]);
+}
+
+}  // namespace posture

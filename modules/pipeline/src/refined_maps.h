@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/refine/map_score.h>
+#include <posture/refine/settle.h>
+
+#include "finalists.h"
+#include "refined_shape.h"
+#include <vector>
+
+namespace posture {
+
+/// A map between the work meshes with what speaks against it.
+struct RefinedMap {
+  int finalist = 0;   ///< index of the one it was made of
+  double scale = 1;   ///< what the source was multiplied by for it
+  bool laid = false;  ///< the two were laid over each other: much may be missing
+  BentPair pair;
+  MapScore score;
+};
+
+/// Takes finalists to the work meshes and makes them as exact as those allow; by increasing score.
+/// Limbs of the first are turned about themselves where they fit better so; its score is that
+/// before.
+std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
+                                        const RefinedShape& target,
+                                        const std::vector<const Finalist*>& finalists);
+
+/// How soft surfaces are when they settle, on any resolution: as the largest basis is fine.
+/// From the eigenvalues of both shapes.
+double settlingSoftness(const Vector& eigenvalues_a, const Vector& eigenvalues_b);
+
+}  // namespace posture
