@@ -9,7 +9,6 @@
 #include "child_run.h"
 #include "pair_data.h"
 #include "target_places.h"
-#include <algorithm>
 #include <chrono>
 #include <omp.h>
 
@@ -79,8 +78,7 @@ Json registerAndJudge(const BenchmarkPair& pair, Method method, const PairData& 
   const double memory = peakMemoryMib();
 
   const auto& places = result.correspondence.on_target;
-  const auto accepted = std::count_if(
-      places.begin(), places.end(), [](const SurfacePoint& p) { return p.vertex >= 0; });
+  const long accepted = mappedCount(places);
   Json json = describePair(pair, nameOf(method));
   json["status"] = result.status == Status::REGISTERED ? "registered" : "undecided";
   json["message"] = result.message;

@@ -14,7 +14,6 @@
 #include "compare_variation.h"
 #include "pair_data.h"
 #include "target_places.h"
-#include <algorithm>
 #include <omp.h>
 
 namespace posture::app {
@@ -118,10 +117,7 @@ void judgeErrors(const BenchmarkPair& pair,
 }
 
 void judge(const BenchmarkPair& pair, const PairData& data, const Outcome& outcome, Json& json) {
-  const auto mapped = std::count_if(outcome.on_target.begin(),
-                                    outcome.on_target.end(),
-                                    [](const SurfacePoint& p) { return p.vertex >= 0; });
-  json["mapped"] = mapped;
+  json["mapped"] = mappedCount(outcome.on_target);
   const Closeness close = measureCloseness(outcome.registered, data.target.cloud.points);
   json["mean_distance"] = close.mean_distance;
   json["source_near"] = close.moved_near;

@@ -69,13 +69,6 @@ double spacingOf(const ShapeSummary& summary, const Shape& shape) {
                    static_cast<double>(std::max<Eigen::Index>(1, shape.cloud.points.rows())));
 }
 
-int mappedPoints(const Correspondence& map) {
-  return static_cast<int>(
-      std::count_if(map.on_target.begin(), map.on_target.end(), [](const SurfacePoint& place) {
-        return place.vertex >= 0;
-      }));
-}
-
 DiagnosticStatus status(std::uint8_t level, const std::string& message) {
   DiagnosticStatus status;
   status.level = static_cast<DiagnosticStatus::_level_type>(level);
@@ -179,7 +172,9 @@ DiagnosticStatus outcome(const RegistrationResult& result,
   add(message, "source points", std::to_string(points));
   add(message,
       "share mapped",
-      formatFixed(mappedPoints(result.correspondence) / static_cast<double>(points), 3));
+      formatFixed(static_cast<double>(mappedCount(result.correspondence.on_target)) /
+                      static_cast<double>(points),
+                  3));
   add(message, "scale", formatShort(result.scale));
   if (segments != nullptr) add(message, "parts", std::to_string(segments->parts.count));
   if (result.back) add(message, "mean miss there and back", formatShort(result.back->mean_miss));

@@ -69,8 +69,7 @@ MapErrors measureErrors(const TargetMetric& target,
                         std::int64_t work) {
   MapErrors errors;
   errors.source_vertices = static_cast<int>(on_target.size());
-  errors.accepted = static_cast<int>(std::count_if(
-      on_target.begin(), on_target.end(), [](const SurfacePoint& p) { return p.vertex >= 0; }));
+  errors.accepted = static_cast<int>(mappedCount(on_target));
   const std::vector<Route> mapped = mappedRoutes(on_target, truth);
   errors.true_pairs = static_cast<int>(truth.size());
   errors.mapped_pairs = static_cast<int>(mapped.size());

@@ -32,7 +32,7 @@ constexpr double NEARLY_ALL = 0.9, CLEARLY_MORE = 0.05;
 
 /// Of the source's vertices, those with a counterpart.
 double mappedShare(const RegistrationResult& result) {
-  return static_cast<double>(mappedCount(result)) /
+  return static_cast<double>(mappedCount(result.correspondence.on_target)) /
          static_cast<double>(result.correspondence.on_target.size());
 }
 

@@ -47,15 +47,9 @@ std::string percent(double share) {
 
 }  // namespace
 
-long mappedCount(const RegistrationResult& result) {
-  const auto& places = result.correspondence.on_target;
-  return std::count_if(
-      places.begin(), places.end(), [](const SurfacePoint& p) { return p.vertex >= 0; });
-}
-
 std::string mappedMessage(const RegistrationResult& result) {
   const auto& places = result.correspondence.on_target;
-  const long mapped = mappedCount(result);
+  const long mapped = mappedCount(places);
   return std::to_string(mapped) + " of " + std::to_string(places.size()) +
          (result.source_scan ? " source points" : " source vertices") + " have a counterpart (" +
          percent(static_cast<double>(mapped) / static_cast<double>(places.size())) + ")";

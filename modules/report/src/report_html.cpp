@@ -55,8 +55,7 @@ std::string headline(const RegistrationResult& result) {
 
 std::string figures(const RegistrationResult& result) {
   const auto& places = result.correspondence.on_target;
-  const auto accepted = std::count_if(
-      places.begin(), places.end(), [](const SurfacePoint& place) { return place.vertex >= 0; });
+  const long accepted = mappedCount(places);
   const double share = places.empty() ? 0 : 100.0 * double(accepted) / double(places.size());
   std::vector<std::vector<std::string>> rows = {
       {"Source vertices with a counterpart",

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace posture {
@@ -114,8 +113,7 @@ Json describeAll(const std::vector<Summary>& summaries, int chosen) {
 /// The figures that tell how far to trust the result.
 Json describeTrust(const RegistrationResult& result) {
   const auto& places = result.correspondence.on_target;
-  const auto accepted = std::count_if(
-      places.begin(), places.end(), [](const SurfacePoint& place) { return place.vertex >= 0; });
+  const long accepted = mappedCount(places);
   double confidence = 0;
   for (Eigen::Index i = 0; i < result.correspondence.confidence.size(); ++i)
     confidence += result.correspondence.confidence(i);

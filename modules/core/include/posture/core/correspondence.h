@@ -4,6 +4,7 @@
 
 #include <posture/core/types.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace posture {
@@ -14,6 +15,12 @@ struct SurfacePoint {
   int face = -1;    ///< -1: the vertex belongs to no face
   Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();  ///< >= 0, sum 1
 };
+
+/// How many are places.
+inline long mappedCount(const std::vector<SurfacePoint>& places) {
+  return std::count_if(
+      places.begin(), places.end(), [](const SurfacePoint& place) { return place.vertex >= 0; });
+}
 
 /// Where each vertex of the source lies on the target, both numbered as they were given.
 struct Correspondence {
