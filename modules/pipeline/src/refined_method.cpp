@@ -79,10 +79,11 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   // Evenly spread subsets of the vertices: all with all can be compared on them. A source much
   // coarser than the target gets more vertices first.
   clock.stage("reduction", 0.03, [&] {
-    const bool source_too_coarse = isMuchCoarser(source_surface, target_surface);
+    source = givenSide("source", source_surface, isMuchCoarser(source_surface, target_surface));
+    target = givenSide("target", target_surface, false);
     parallelFor(2, [&](int side) {
-      if (side == 0) source = reduceSide("source", source_surface, source_too_coarse);
-      if (side == 1) target = reduceSide("target", target_surface, false);
+      if (side == 0) reduceSide(target.full, source);
+      if (side == 1) reduceSide(source.full, target);
     });
     return 0;
   });

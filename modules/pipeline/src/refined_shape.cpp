@@ -18,6 +18,10 @@ namespace {
 /// full ones; comparing all vertices with all, the time goes with the square.
 constexpr int WORK_VERTICES = 5000, COARSE_VERTICES = 1500, SAMPLES = 500;
 
+/// What one side has fewer than that the other may have more, up to so many: reduced, a fine
+/// surface is another shape than a light mesh of the same body.
+constexpr int MOST_WORK_VERTICES = 2 * WORK_VERTICES;
+
 /// A surface this many times as coarse as the other is brought to so many vertices; it bends, and
 /// is compared, no finer than it has any. On a third of its vertices a mesh is 1.7 times as coarse
 /// or more; half a body is 1.4 times as coarse as the whole.
@@ -55,7 +59,7 @@ bool isMuchCoarser(const TriangleMesh& surface, const TriangleMesh& other) {
          coarseness(surface) > MUCH_COARSER * coarseness(other);
 }
 
-RefinedShape reduceSide(const std::string& side, const TriangleMesh& surface, bool too_coarse) {
+RefinedShape givenSide(const std::string& side, const TriangleMesh& surface, bool too_coarse) {
   const auto n = surface.vertices.rows();
   if (n < LEAST_VERTICES)
     throw InputError(side + " has only " + std::to_string(n) +
@@ -68,9 +72,15 @@ RefinedShape reduceSide(const std::string& side, const TriangleMesh& surface, bo
   } else {
     shape.full = surface;
   }
-  shape.work = reduceMesh(shape.full, WORK_VERTICES);
-  shape.coarse = reduceMesh(shape.work.mesh, COARSE_VERTICES);
   return shape;
+}
+
+void reduceSide(const TriangleMesh& other, RefinedShape& shape) {
+  const Eigen::Index others = std::min<Eigen::Index>(other.vertices.rows(), WORK_VERTICES);
+  const Eigen::Index affordable = Eigen::Index{WORK_VERTICES} * WORK_VERTICES / others;
+  shape.work = reduceMesh(shape.full,
+                          static_cast<int>(std::min<Eigen::Index>(affordable, MOST_WORK_VERTICES)));
+  shape.coarse = reduceMesh(shape.work.mesh, COARSE_VERTICES);
 }
 
 void addSpectrum(RefinedShape& shape) {

@@ -37,9 +37,12 @@ struct RefinedShape {
 /// Whether maps from the one surface to the other are held back by how few vertices it has.
 bool isMuchCoarser(const TriangleMesh& surface, const TriangleMesh& other);
 
-/// The main surface on the meshes it is worked on. \throws InputError  too few vertices to tell a
-/// shape; names the side.
-RefinedShape reduceSide(const std::string& side, const TriangleMesh& surface, bool too_coarse);
+/// A side with its main surface alone, which gets more vertices if it is too coarse.
+/// \throws InputError  too few vertices to tell a shape; names the side.
+RefinedShape givenSide(const std::string& side, const TriangleMesh& surface, bool too_coarse);
+
+/// Adds the meshes a side is worked on. \param other  the full mesh of the other side.
+void reduceSide(const TriangleMesh& other, RefinedShape& shape);
 
 void addSpectrum(RefinedShape& shape);
 void addSamples(RefinedShape& shape);
