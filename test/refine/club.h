@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/mesh/edges.h>
+#include <posture/mesh/point_index.h>
+
+#include <Eigen/Geometry>
+
+#include "support/shapes.h"
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace posture::test {
+
+/// A club with a round body, an arm along x and a flat hand at its end, with a thumb on one side
+/// and a palm that is hollow: it fits itself in one way only. Of an area of one.
+inline TriangleMesh clubWithHand() {
+  TriangleMesh mesh = sphere(4);
+  for (auto p : mesh.vertices.rowwise()) {
+    const double x = p.x(), around = std::hypot(p.y(), p.z());
+    const double out = std::clamp((x + 0.5) / 1.5, 0.0, 1.0);  // 0 on the body, 1 at the tip
+    const double thin = 1 - 0.7 * std::clamp(out / 0.2, 0.0, 1.0);
+    const double hand = std::clamp((out - 0.7) / 0.1, 0.0, 1.0);
+    const double profile =
+        around > 0 ? thin * (out > 0 ? std::sqrt(1 - out * out) + 0.2 * (1 - out) : around) / around
+                   : 0;
+    double y = p.y() * profile * (1 + 1.2 * hand), z = p.z() * profile * (1 - 0.4 * hand);
+    if (y > 0) y *= 1 + 0.8 * hand * std::exp(-std::pow((out - 0.82) / 0.06, 2));  // thumb
+    z -= 0.6 * hand * y * y;                                                       // palm
+    p = Eigen::RowVector3d(x + 2.2 * out, y, z);
+  }
+  mesh.vertices /= std::sqrt(faceAreas(mesh).sum());
+  return mesh;
+}
+
+inline int tipOf(const TriangleMesh& mesh) {
+  Eigen::Index tip = 0;
+  mesh.vertices.col(0).maxCoeff(&tip);
+  return static_cast<int>(tip);
+}
+
+/// The club's vertices with the arm wound about itself, the hand by the whole angle.
+inline Points wound(const TriangleMesh& mesh, double angle) {
+  const double tip = mesh.vertices.col(0).maxCoeff();
+  Points places = mesh.vertices;
+  for (auto p : places.rowwise()) {
+    const double share = std::clamp((0.4 - (tip - p.x())) / 0.25, 0.0, 1.0);
+    p = (Eigen::AngleAxisd(share * angle, Eigen::Vector3d::UnitX()) * Eigen::Vector3d(p))
+            .transpose();
+  }
+  return places;
+}
+
+inline std::vector<int> nearestOf(const Points& from, const TriangleMesh& to) {
+  const PointIndex index(to.vertices);
+  std::vector<int> nearest;
+  for (const auto& p : from.rowwise()) nearest.push_back(index.nearest(p.transpose()).index);
+  return nearest;
+}
+
+/// How far a map of the club to itself is off, in edges, of what is within 0.5 of the tip.
+inline double meanMiss(const TriangleMesh& mesh, const std::vector<int>& map) {
+  const double tip = mesh.vertices.col(0).maxCoeff();
+  double sum = 0;
+  int count = 0;
+  for (std::size_t v = 0; v < map.size(); ++v) {
+    if (tip - mesh.vertices(static_cast<Eigen::Index>(v), 0) > 0.5) continue;
+    sum += (mesh.vertices.row(map[v]) - mesh.vertices.row(static_cast<Eigen::Index>(v))).norm();
+    ++count;
+  }
+  return sum / (count * meanEdgeLength(mesh));
+}
+
+}  // namespace posture::test
