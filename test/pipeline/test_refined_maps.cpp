@@ -4,6 +4,8 @@
 
 #include "refine/club.h"
 #include "refined_maps.h"
+#include "support/shapes.h"
+#include <cmath>
 #include <vector>
 
 namespace posture {
@@ -11,8 +13,8 @@ namespace {
 
 class RefinedMaps : public testing::Test {
  protected:
-  RefinedMaps() : club_(givenSide("club", test::clubWithHand(), false)) {
-    reduceSide(club_.full, club_);
+  RefinedMaps() : club_(fullSide("club", test::clubWithHand(), false)) {
+    reduceSide(5000, club_);
     addSpectrum(club_);
     addSamples(club_);
   }
@@ -48,14 +50,15 @@ TEST_F(RefinedMaps, aTurnedHandIsTurnedBackAndJudgedAsBefore) {
 }
 
 TEST(WorkMeshes, shareABudget) {
-  RefinedShape light = givenSide("light", test::sphere(3), false),
-               fine = givenSide("fine", test::sphere(5), false);
-  const TriangleMesh all_of_light = light.full, all_of_fine = fine.full;
-  reduceSide(all_of_fine, light);
-  reduceSide(all_of_light, fine);
+  RefinedShape light = fullSide("light", test::sphere(3), false),
+               fine = fullSide("fine", test::sphere(5), false);
+  reduceSide(10242, light);
+  reduceSide(642, fine);
   EXPECT_EQ(light.work.mesh.vertices.rows(), 642);
   EXPECT_EQ(fine.work.mesh.vertices.rows(), 10000);
-  reduceSide(all_of_fine, fine);
+  reduceSide(4000, fine);
+  EXPECT_EQ(fine.work.mesh.vertices.rows(), 6250);
+  reduceSide(10242, fine);
   EXPECT_EQ(fine.work.mesh.vertices.rows(), 5000);
   EXPECT_EQ(fine.coarse.mesh.vertices.rows(), 1500);
 }

@@ -3,14 +3,13 @@
 #include <posture/mesh/edges.h>
 #include <posture/refine/turn_limbs.h>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "refine/club.h"
 #include "refine/poses.h"
 #include "support/shapes.h"
-#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace posture {
 namespace {

@@ -3,12 +3,13 @@
 #include <posture/core/error.h>
 #include <posture/deformation/arap.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 
 #include "nearest_rotations.h"
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -38,17 +39,17 @@ void solveInPlace(const Factors& factors, Points& x) {
 
 }  // namespace
 
-/// An edge with its half-edges.
-struct WeightedEdge {
-  int i, j;
-  double weight;
-  Eigen::RowVector3d rest;  // x_i - x_j
-};
-
 struct Arap::Impl {
+  /// Of positive weight; looked at once for both its ends.
+  struct Edge {
+    int i, j;
+    double weight;
+    Eigen::RowVector3d rest;  ///< from j to i
+  };
+
   Eigen::Index vertices() const { return mass.size(); }
 
-  std::vector<WeightedEdge> edges;
+  std::vector<Edge> edges;
   Sparse weights;  // n x n, graph Laplacian of the weights w_ij >= 0
   Order order;     // in which few entries fill in when it is factored
   Vector mass;
@@ -62,7 +63,7 @@ struct Arap::Impl {
 
 std::vector<Eigen::Matrix3d> Arap::Impl::rotations(const Points& p) const {
   std::vector<Eigen::Matrix3d> r(vertices(), Eigen::Matrix3d::Zero());
-  for (const WeightedEdge& e : edges) {
+  for (const Edge& e : edges) {
     const Eigen::Matrix3d moved = (e.weight * (p.row(e.i) - p.row(e.j))).transpose() * e.rest;
     r[e.i] += moved;
     r[e.j] += moved;
@@ -76,7 +77,7 @@ std::vector<Eigen::Matrix3d> Arap::Impl::rotations(const Points& p) const {
 Vector Arap::Impl::cellStiffness(const Points& p) const {
   const std::vector<Eigen::Matrix3d> r = rotations(p);
   Vector change = Vector::Zero(vertices()), length = change;
-  for (const WeightedEdge& e : edges) {
+  for (const Edge& e : edges) {
     const Eigen::Vector3d bent = (p.row(e.i) - p.row(e.j)).transpose();
     for (int v : {e.i, e.j}) {
       const Eigen::Vector3d rigid = r[v] * e.rest.transpose();
@@ -95,7 +96,7 @@ Vector Arap::Impl::cellStiffness(const Points& p) const {
 /// The right-hand side the rotated edges at rest make.
 Points Arap::Impl::rigidPull(const std::vector<Eigen::Matrix3d>& r, const Vector& stiffness) const {
   Points b = Points::Zero(vertices(), 3);
-  for (const WeightedEdge& e : edges) {
+  for (const Edge& e : edges) {
     const Eigen::RowVector3d turned =
         0.5 * e.weight *
         ((stiffness[e.i] * r[e.i] + stiffness[e.j] * r[e.j]) * e.rest.transpose()).transpose();
@@ -125,7 +126,7 @@ Sparse Arap::Impl::weightsWith(const Vector& stiffness) const {
 
 double Arap::Impl::energy(const Points& p, const std::vector<Eigen::Matrix3d>& r) const {
   double sum = 0;
-  for (const WeightedEdge& e : edges) {
+  for (const Edge& e : edges) {
     const Eigen::Vector3d bent = (p.row(e.i) - p.row(e.j)).transpose();
     for (int v : {e.i, e.j})
       sum += 0.5 * e.weight * (bent - r[v] * e.rest.transpose()).squaredNorm();

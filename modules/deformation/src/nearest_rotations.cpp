@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace posture {
 namespace {
@@ -19,6 +20,7 @@ struct Lanes {
 };
 
 Eigen::Matrix3d rotationBySvd(const Eigen::Matrix3d& m) {
+  if (!m.allFinite()) return Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Matrix3d u = svd.matrixU();
   if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) *= -1;
@@ -53,21 +55,26 @@ Lane determinant(const Lanes& m, const Lanes& c) {
 /// \return  whether each rotation is the only one as good, as far as rounding lets one tell.
 Eigen::Array<bool, LANES, 1> nearestRotations(const Lanes& given, Lanes& rotations) {
   constexpr int MAX_STEPS = 30;
-  constexpr double CONVERGED = 1e-14, AMBIGUOUS = 1e-6;
+  constexpr double CONVERGED = 1e-14, AMBIGUOUS = 1e-4;
   const Lane scale = squaredNorm(given).rsqrt();
   Lanes m;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) m.at[i][j] = scale * given.at[i][j];
   const Lanes c = cofactors(m);
   const Lane det = determinant(m, c), squared = squaredNorm(c), constant = 1 - 4 * squared;
-  // From above, where Newton's steps never pass the root: I2^2 = |cof M|^2 + 2 det M t with t from
-  // 1 to sqrt(3). Close to it where a surface is nearly flat.
+  // From above, where Newton's steps never pass the root: I2^2 = |cof M|^2 + 2 det M t, with t from 1
+  // to sqrt(3) where I2 >= 0; elsewhere the root is below 1 and the start is not. Close to it where
+  // a surface is nearly flat.
   const Lane most = (squared + 2 * det.max(std::sqrt(3.0) * det)).max(0).sqrt();
   Lane t = (1 + 2 * most).sqrt();
+  // The slope falls on the way down, to 8 times the product of the sums of two singular values each:
+  // where that vanishes roots meet, and steps are noise. False for what is no number.
+  Eigen::Array<bool, LANES, 1> clear = Eigen::Array<bool, LANES, 1>::Constant(true);
   for (int step = 0; step < MAX_STEPS; ++step) {
     const Lane value = ((t * t - 2) * t - 8 * det) * t + constant;
     const Lane slope = 4 * ((t * t - 1) * t - 2 * det);
-    const Lane change = value / slope;
+    clear = clear && slope > 8 * AMBIGUOUS;
+    const Lane change = clear.select(value / slope, 0);
     t -= change;
     if (!(change > CONVERGED).any()) break;
   }
@@ -86,8 +93,7 @@ Eigen::Array<bool, LANES, 1> nearestRotations(const Lanes& given, Lanes& rotatio
       for (int k = 0; k < 3; ++k) sum += adjugate.at[i][k] * (c.at[k][j] + t * m.at[k][j]);
       rotations.at[i][j] = inverse * sum;
     }
-  // The product of the sums of two singular values each. False for what is no number.
-  return t * second - det > AMBIGUOUS;
+  return clear && t * second - det > AMBIGUOUS;
 }
 
 }  // namespace

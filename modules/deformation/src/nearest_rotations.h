@@ -9,7 +9,7 @@
 namespace posture {
 
 /// Replaces each matrix M by the rotation R with the largest trace of R' M: by one of those, where
-/// several are as good.
+/// several are as good; by no numbers, where M is not finite.
 void toNearestRotations(std::vector<Eigen::Matrix3d>& matrices);
 
 }  // namespace posture

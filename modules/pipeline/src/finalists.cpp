@@ -26,8 +26,8 @@ constexpr int BENT_FURTHER = 16, MOST_FURTHER = 4;
 constexpr int CANDIDATE_BASIS = 36;
 
 /// The low start mends limbs turned inside out, the high one keeps those a low one would twist.
-const std::vector<std::vector<int>> STARTS{{12, 24, 36, 48, LARGEST_BASIS},
-                                           {30, 40, 50, LARGEST_BASIS}};
+const std::vector<std::vector<int>> STARTS{{12, 24, 36, 48, FINALIST_BASIS},
+                                           {30, 40, 50, FINALIST_BASIS}};
 
 /// Parts exchanged between finalists: at least so many vertices of a coarse mesh, so many tried at
 /// once, and so often.

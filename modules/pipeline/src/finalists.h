@@ -14,7 +14,7 @@
 namespace posture {
 
 /// The most functions that finalists are bent with.
-constexpr int LARGEST_BASIS = 60;
+constexpr int FINALIST_BASIS = 60;
 
 /// A candidate that keeps the outside out, registered on the coarse meshes.
 struct Finalist {

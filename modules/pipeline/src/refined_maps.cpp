@@ -42,7 +42,7 @@ BentPair sharpened(const Eigen::MatrixXf& coarse_functions,
                                             coarse_functions,
                                             target_coarse_functions,
                                             {maps.forward, maps.backward, 0},
-                                            LARGEST_BASIS);
+                                            FINALIST_BASIS);
   const VertexMaps sharp = sharpen(source, target, FINE_SIZES, start);
   return {sharp,
           target.mesh.vertices(sharp.forward, Eigen::all),
@@ -135,8 +135,9 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   };
   RefinedMap turned = withTurns(limbs, STIFFENINGS.front());
   if (limbs.size() > 1 && !fitsBetter(turned)) {
-    const auto best = std::max_element(gains.begin(), gains.end());
-    turned = withTurns({static_cast<int>(best - gains.begin())}, STIFFENINGS.front());
+    const int best = *std::max_element(
+        limbs.begin(), limbs.end(), [&](int i, int j) { return gains[i] < gains[j]; });
+    turned = withTurns({best}, STIFFENINGS.front());
   }
   return fitsBetter(turned) ? turned : map;
 }

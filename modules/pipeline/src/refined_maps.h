@@ -27,7 +27,7 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const RefinedShape& target,
                                         const std::vector<const Finalist*>& finalists);
 
-/// How soft surfaces are when they settle, on any resolution: as the largest basis is fine.
+/// How soft surfaces are when they settle, on any resolution: as the finest eigenfunctions are.
 /// From the eigenvalues of both shapes.
 double settlingSoftness(const Vector& eigenvalues_a, const Vector& eigenvalues_b);
 

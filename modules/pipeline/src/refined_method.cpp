@@ -54,6 +54,11 @@ int nearestAnswer(const std::vector<AlternativeSummary>& alternatives) {
   return static_cast<int>(nearest - alternatives.begin());
 }
 
+/// The same for a side, its parts and with its holes closed, so that scores of all can be compared.
+int vertexCount(const GivenShape& given, const RefinedShape& shape) {
+  return shape.parts.empty() ? given.ownVertices() : static_cast<int>(shape.full.vertices.rows());
+}
+
 double rootArea(const GivenShape& shape) { return std::sqrt(faceAreas(shape.clean.mesh).sum()); }
 
 }  // namespace
@@ -79,11 +84,11 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   // Evenly spread subsets of the vertices: all with all can be compared on them. A source much
   // coarser than the target gets more vertices first.
   clock.stage("reduction", 0.03, [&] {
-    source = givenSide("source", source_surface, isMuchCoarser(source_surface, target_surface));
-    target = givenSide("target", target_surface, false);
+    source = fullSide("source", source_surface, isMuchCoarser(source_surface, target_surface));
+    target = fullSide("target", target_surface, false);
     parallelFor(2, [&](int side) {
-      if (side == 0) reduceSide(target.full, source);
-      if (side == 1) reduceSide(source.full, target);
+      if (side == 0) reduceSide(vertexCount(target_given, target), source);
+      if (side == 1) reduceSide(vertexCount(source_given, source), target);
     });
     return 0;
   });

@@ -15,12 +15,12 @@ namespace posture {
 namespace {
 
 /// Maps are exact to a fraction of an edge of these meshes before the last stage takes them to the
-/// full ones; comparing all vertices with all, the time goes with the square.
+/// full ones; comparing all vertices with all, the time goes with the product of both sides'.
 constexpr int WORK_VERTICES = 5000, COARSE_VERTICES = 1500, SAMPLES = 500;
 
-/// What one side has fewer than that the other may have more, up to so many: reduced, a fine
+/// What one side has fewer than that, down to so many, the other may have more: reduced, a fine
 /// surface is another shape than a light mesh of the same body.
-constexpr int MOST_WORK_VERTICES = 2 * WORK_VERTICES;
+constexpr int FEWEST_WORK_VERTICES = WORK_VERTICES / 2;
 
 /// A surface this many times as coarse as the other is brought to so many vertices; it bends, and
 /// is compared, no finer than it has any. On a third of its vertices a mesh is 1.7 times as coarse
@@ -59,7 +59,7 @@ bool isMuchCoarser(const TriangleMesh& surface, const TriangleMesh& other) {
          coarseness(surface) > MUCH_COARSER * coarseness(other);
 }
 
-RefinedShape givenSide(const std::string& side, const TriangleMesh& surface, bool too_coarse) {
+RefinedShape fullSide(const std::string& side, const TriangleMesh& surface, bool too_coarse) {
   const auto n = surface.vertices.rows();
   if (n < LEAST_VERTICES)
     throw InputError(side + " has only " + std::to_string(n) +
@@ -75,11 +75,9 @@ RefinedShape givenSide(const std::string& side, const TriangleMesh& surface, boo
   return shape;
 }
 
-void reduceSide(const TriangleMesh& other, RefinedShape& shape) {
-  const Eigen::Index others = std::min<Eigen::Index>(other.vertices.rows(), WORK_VERTICES);
-  const Eigen::Index affordable = Eigen::Index{WORK_VERTICES} * WORK_VERTICES / others;
-  shape.work = reduceMesh(shape.full,
-                          static_cast<int>(std::min<Eigen::Index>(affordable, MOST_WORK_VERTICES)));
+void reduceSide(int others, RefinedShape& shape) {
+  const int shared = std::clamp(others, FEWEST_WORK_VERTICES, WORK_VERTICES);
+  shape.work = reduceMesh(shape.full, WORK_VERTICES * WORK_VERTICES / shared);
   shape.coarse = reduceMesh(shape.work.mesh, COARSE_VERTICES);
 }
 

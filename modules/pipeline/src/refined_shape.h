@@ -39,10 +39,10 @@ bool isMuchCoarser(const TriangleMesh& surface, const TriangleMesh& other);
 
 /// A side with its main surface alone, which gets more vertices if it is too coarse.
 /// \throws InputError  too few vertices to tell a shape; names the side.
-RefinedShape givenSide(const std::string& side, const TriangleMesh& surface, bool too_coarse);
+RefinedShape fullSide(const std::string& side, const TriangleMesh& surface, bool too_coarse);
 
-/// Adds the meshes a side is worked on. \param other  the full mesh of the other side.
-void reduceSide(const TriangleMesh& other, RefinedShape& shape);
+/// Adds the meshes a side is worked on. \param others  vertices of the other side.
+void reduceSide(int others, RefinedShape& shape);
 
 void addSpectrum(RefinedShape& shape);
 void addSamples(RefinedShape& shape);

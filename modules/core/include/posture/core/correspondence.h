@@ -16,7 +16,7 @@ struct SurfacePoint {
   Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();  ///< >= 0, sum 1
 };
 
-/// How many are places.
+/// How many have a place at all.
 inline long mappedCount(const std::vector<SurfacePoint>& places) {
   return std::count_if(
       places.begin(), places.end(), [](const SurfacePoint& place) { return place.vertex >= 0; });
