@@ -55,6 +55,8 @@ Lane determinant(const Lanes& m, const Lanes& c) {
 /// \return  whether each rotation is the only one as good, as far as rounding lets one tell.
 Eigen::Array<bool, LANES, 1> nearestRotations(const Lanes& given, Lanes& rotations) {
   constexpr int MAX_STEPS = 30;
+  // The rotation comes of a division by what AMBIGUOUS bounds: far above rounding, far below what
+  // surfaces that bend have.
   constexpr double CONVERGED = 1e-14, AMBIGUOUS = 1e-4;
   const Lane scale = squaredNorm(given).rsqrt();
   Lanes m;
