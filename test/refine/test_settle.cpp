@@ -147,6 +147,28 @@ TEST(Settle, leavesARigidMotionAsItIs) {
   EXPECT_EQ(pair.maps.backward, same);
   EXPECT_LT(meanGap(pair.bent_a, b.mesh.vertices), 1e-9);
   EXPECT_LT(meanGap(pair.bent_b, a.mesh.vertices), 1e-9);
+  anneal(a, b, 100, pair);
+  EXPECT_EQ(pair.maps.forward, same);
+  EXPECT_EQ(pair.maps.backward, same);
+  EXPECT_LT(meanGap(pair.bent_a, b.mesh.vertices), 1e-9);
+  EXPECT_LT(meanGap(pair.bent_b, a.mesh.vertices), 1e-9);
+}
+
+TEST(Anneal, bringsPlacesHomeThatSettlingLeavesOnTheirWay) {
+  for (BodyKind kind : {BodyKind::HUMAN, BodyKind::QUADRUPED}) {
+    const test::Poses& poses = test::poses(kind);
+    const double softness = poses.b.eigenvalues[poses.b.eigenvalues.size() - 1];
+    BentPair settled = startFrom(poses.a, poses.b, test::perturbed(poses, 1, 1));
+    BentPair annealed = settled;
+    for (double share : {0.1, 0.3, 1.0}) settle(poses.a, poses.b, share * softness, 6, settled);
+    anneal(poses.a, poses.b, softness, annealed);
+    EXPECT_LE(test::meanError(poses.b, annealed.maps.forward),
+              test::meanError(poses.b, settled.maps.forward));
+    EXPECT_LT(meanGap(annealed.bent_a, poses.b.mesh.vertices),
+              0.7 * meanGap(settled.bent_a, poses.b.mesh.vertices));
+    EXPECT_LT(meanGap(annealed.bent_b, poses.a.mesh.vertices),
+              0.7 * meanGap(settled.bent_b, poses.a.mesh.vertices));
+  }
 }
 
 TEST(Settle, doesNothingInNoRounds) {
@@ -178,9 +200,7 @@ TEST(Settle, doesNotDrawASurfaceToTheRimOfAHole) {
         b.neighbors.begin(v), b.neighbors.end(v), [&](int w) { return !b.on_boundary[w]; });
     if (inner != b.neighbors.end(v)) v = *inner;
   }
-  for (BentPair pair : {at_rim, beside_rim}) {
-    pair.bent_a = placesAt(pierced, pair.maps.forward);
-    settle(a, b, 200, 10, pair);
+  const auto expectInPlace = [&](const BentPair& pair) {
     int in_hole = 0;
     for (int v = 0; v < whole.vertices.rows(); ++v) {
       if ((whole.vertices.row(v) - centre).norm() > 0.15) continue;
@@ -188,6 +208,14 @@ TEST(Settle, doesNotDrawASurfaceToTheRimOfAHole) {
       EXPECT_LT((pair.bent_a.row(v) - whole.vertices.row(v)).norm(), 0.5 * meanEdgeLength(whole));
     }
     EXPECT_GT(in_hole, 10);
+  };
+  for (BentPair pair : {at_rim, beside_rim}) {
+    pair.bent_a = placesAt(pierced, pair.maps.forward);
+    BentPair annealed = pair;
+    settle(a, b, 200, 10, pair);
+    expectInPlace(pair);
+    anneal(a, b, 200, annealed);
+    expectInPlace(annealed);
   }
 }
 

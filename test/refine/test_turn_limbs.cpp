@@ -14,7 +14,7 @@
 namespace posture {
 namespace {
 
-/// Soft, then stiff.
+/// Stiff, then soft.
 void settleWell(const SpectralSurface& club, BentPair& pair) {
   const double softness = club.eigenvalues[club.eigenvalues.size() - 1];
   for (double share : {0.03, 0.1, 0.3, 1.0}) settle(club, club, share * softness, 6, pair);

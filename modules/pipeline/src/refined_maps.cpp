@@ -17,10 +17,10 @@ namespace {
 
 const std::vector<int> FINE_SIZES{40, 58, 76, 95, 114, 133, 152, 171, 190};
 
-/// A soft surface slides far, a stiff one keeps what is known: which of the two ways down is better
-/// depends on how isometric the pair is, and the score tells. The longer way first: two threads
-/// then end at the same time.
-const std::vector<std::vector<double>> STIFFENINGS{{0.03, 0.1, 0.3, 1}, {0.1, 0.3, 1}};
+/// A stiff surface slides far as a whole, a soft one stays near what is known: which of the two
+/// ways is better depends on how isometric the pair is, and the score tells. The longer way first:
+/// two threads then end at the same time.
+const std::vector<std::vector<double>> SOFTENINGS{{0.03, 0.1, 0.3, 1}, {0.1, 0.3, 1}};
 constexpr int ROUNDS = 6;
 
 /// How many turns of a limb are tried on the work meshes, and how all settles then to be compared.
@@ -133,11 +133,11 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   const auto fitsBetter = [&](const RefinedMap& turned) {
     return turned.score.total() < map.score.total() - LEAST_GAIN;
   };
-  RefinedMap turned = withTurns(limbs, STIFFENINGS.front());
+  RefinedMap turned = withTurns(limbs, SOFTENINGS.front());
   if (limbs.size() > 1 && !fitsBetter(turned)) {
     const int best = *std::max_element(
         limbs.begin(), limbs.end(), [&](int i, int j) { return gains[i] < gains[j]; });
-    turned = withTurns({best}, STIFFENINGS.front());
+    turned = withTurns({best}, SOFTENINGS.front());
   }
   return fitsBetter(turned) ? turned : map;
 }
@@ -166,16 +166,16 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                           target_work,
                                           finalist.maps);
   });
-  std::vector<RefinedMap> refined(finalists.size() * STIFFENINGS.size());
+  std::vector<RefinedMap> refined(finalists.size() * SOFTENINGS.size());
   parallelFor(static_cast<int>(refined.size()), [&](int i) {
     RefinedMap& map = refined[i];
-    map.finalist = i / static_cast<int>(STIFFENINGS.size());
+    map.finalist = i / static_cast<int>(SOFTENINGS.size());
     map.scale = finalists[map.finalist]->scale;
     map.laid = finalists[map.finalist]->bent.has_value();
     map.pair = starts[map.finalist];
     const SpectralSurface& work = surfaces.source(map.scale);
     const double softness = settlingSoftness(work.eigenvalues, target_work.eigenvalues);
-    for (double share : STIFFENINGS[i % STIFFENINGS.size()])
+    for (double share : SOFTENINGS[i % SOFTENINGS.size()])
       settle(work, target_work, share * softness, ROUNDS, map.pair);
     map.score = map.laid ? scoreLaid(work, target_work, map.pair)
                          : scoreMaps(work, target_work, map.pair.maps);
@@ -185,8 +185,12 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
   RefinedMap& best = refined.front();
   // Its rivals are not turned: what it is compared by stays as it was.
   const MapScore judged = best.score;
-  best = withLimbsTurned(
-      rescaled(source, best.scale), target, surfaces.source(best.scale), target_work, best);
+  const SpectralSurface& source_work = surfaces.source(best.scale);
+  best = withLimbsTurned(rescaled(source, best.scale), target, source_work, target_work, best);
+  anneal(source_work,
+         target_work,
+         settlingSoftness(source_work.eigenvalues, target_work.eigenvalues),
+         best.pair);
   best.score = judged;
   return refined;
 }

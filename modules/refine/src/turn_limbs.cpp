@@ -33,7 +33,7 @@ constexpr double REACH = 0.7;
 /// What has more of the surface within reach is no limb.
 constexpr double LARGEST_SHARE = 0.4;
 
-/// Soft, then stiff, so many rounds each.
+/// Stiff, then soft, so many rounds each.
 constexpr std::array<double, 3> SHARES{0.1, 0.3, 1};
 constexpr int ROUNDS = 4;
 
