@@ -56,13 +56,30 @@ TEST_F(TurnLimbs, aHandWithItsBackWhereThePalmBelongsIsTurned) {
   EXPECT_LT(test::meanMiss(club_.mesh, pair.maps.backward), 0.3);
 }
 
+TEST_F(TurnLimbs, anEndThatFitsStays) {
+  BentPair pair = settledFrom(club_, 0);
+  anneal(club_, club_, softness_, pair);
+  EXPECT_FALSE(turnLimbEnd(club_, club_, tip_, softness_, pair));
+}
+
+TEST_F(TurnLimbs, anEndIsTurnedByItsOwnFit) {
+  BentPair pair = settledFrom(club_, M_PI);
+  anneal(club_, club_, softness_, pair);
+  EXPECT_GT(test::meanMiss(club_.mesh, pair.maps.forward), 1);
+  EXPECT_TRUE(turnLimbEnd(club_, club_, tip_, softness_, pair));
+  anneal(club_, club_, softness_, pair);
+  EXPECT_LT(test::meanMiss(club_.mesh, pair.maps.forward), 0.3);
+  EXPECT_LT(test::meanMiss(club_.mesh, pair.maps.backward), 0.3);
+}
+
 TEST(TurnLimb, aBallHasNoLimbs) {
   TriangleMesh ball = test::sphere(3);
   ball.vertices /= std::sqrt(faceAreas(ball).sum());
   const SpectralSurface surface = test::spectralSurface(ball, 60);
   const std::vector<int> same = test::nearestOf(ball.vertices, ball);
-  EXPECT_TRUE(likelyTurns(surface, surface, 0, 100, {{same, same}, ball.vertices, ball.vertices}, 3)
-                  .empty());
+  BentPair pair{{same, same}, ball.vertices, ball.vertices};
+  EXPECT_TRUE(likelyTurns(surface, surface, 0, 100, pair, 3).empty());
+  EXPECT_FALSE(turnLimbEnd(surface, surface, 0, 100, pair));
 }
 
 TEST_F(TurnLimbs, nothingToTryWhereTheSurfaceIsTooSmall) {
@@ -71,13 +88,15 @@ TEST_F(TurnLimbs, nothingToTryWhereTheSurfaceIsTooSmall) {
   large.vertices *= 10;
   const SpectralSurface wide(large, Matrix::Zero(12, 1), Vector::Zero(1));
   const std::vector<int> itself = test::nearestOf(large.vertices, large);
-  EXPECT_TRUE(likelyTurns(wide, wide, 0, 10, {{itself, itself}, large.vertices, large.vertices}, 3)
-                  .empty());
+  BentPair on_itself{{itself, itself}, large.vertices, large.vertices};
+  EXPECT_TRUE(likelyTurns(wide, wide, 0, 10, on_itself, 3).empty());
+  EXPECT_FALSE(turnLimbEnd(wide, wide, 0, 10, on_itself));
   const SpectralSurface crumb = test::spectralSurface(test::sphere(0), 4);
   const std::vector<int> same = test::nearestOf(crumb.mesh.vertices, crumb.mesh);
   BentPair pair{{same, same}, crumb.mesh.vertices, crumb.mesh.vertices};
   EXPECT_TRUE(likelyTurns(crumb, crumb, 0, 10, pair, 3).empty());
   EXPECT_FALSE(turnLimb(crumb, crumb, 0, 10, {{M_PI, 0.1, 0.35}}, pair));
+  EXPECT_FALSE(turnLimbEnd(crumb, crumb, 0, 10, pair));
   EXPECT_EQ(pair.maps.forward, same);
 }
 

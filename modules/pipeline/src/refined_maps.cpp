@@ -142,6 +142,19 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   return fitsBetter(turned) ? turned : map;
 }
 
+/// Annealed, and again where the ends of limbs then fit clearly better turned.
+void annealWithEndsTurned(const RefinedShape& source,
+                          const SpectralSurface& source_work,
+                          const SpectralSurface& target_work,
+                          BentPair& pair) {
+  const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
+  anneal(source_work, target_work, softness, pair);
+  bool turned = false;
+  for (int tip : tipsOf(source.samples))
+    turned |= turnLimbEnd(source_work, target_work, source.sample_vertex[tip], softness, pair);
+  if (turned) anneal(source_work, target_work, softness, pair);
+}
+
 }  // namespace
 
 std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
@@ -186,11 +199,9 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
   // Its rivals are not turned: what it is compared by stays as it was.
   const MapScore judged = best.score;
   const SpectralSurface& source_work = surfaces.source(best.scale);
-  best = withLimbsTurned(rescaled(source, best.scale), target, source_work, target_work, best);
-  anneal(source_work,
-         target_work,
-         settlingSoftness(source_work.eigenvalues, target_work.eigenvalues),
-         best.pair);
+  const RefinedShape scaled = rescaled(source, best.scale);
+  best = withLimbsTurned(scaled, target, source_work, target_work, best);
+  annealWithEndsTurned(scaled, source_work, target_work, best.pair);
   best.score = judged;
   return refined;
 }

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/refine/turn_limbs.h>
+
+#include <optional>
+#include <vector>
+
+namespace posture {
+
+/// What of a surface is within reach of a tip; nothing where that is too small.
+struct Limb {
+  std::vector<int> vertex;       ///< of the whole surface
+  std::vector<double> distance;  ///< of each vertex from the tip
+  double reach = 0;
+  std::optional<BendableSurface> surface;
+};
+
+Limb limbAt(const SpectralSurface& whole, int tip, double reach);
+
+/// Places and normals of a limb.
+struct Lie {
+  Points places, normals;
+};
+
+/// Vertices of a surface with what bending costs there.
+struct Part {
+  const std::vector<int>& vertex;
+  const Arap& arap;
+};
+
+/// What is left, on a part of a, of both energies that settle() brings down: of bending, and of
+/// distance and direction between each place and its match. Infinite where no match is believed.
+double oneWayMisfit(const BendableSurface& a,
+                    const Part& part,
+                    const BendableSurface& b,
+                    double softness,
+                    const BentPair& pair);
+
+/// A limb of both surfaces, tried one way after another.
+class LimbPair {
+ public:
+  LimbPair(const SpectralSurface& a,
+           const SpectralSurface& b,
+           int tip,
+           double reach,
+           double softness,
+           const BentPair& pair);
+
+  /// The other functions are for limbs.
+  bool isLimb() const { return is_limb_; }
+
+  /// Turned and settled.
+  BentPair tried(const LimbTurn& turn) const;
+
+  BentPair annealed(BentPair pair) const;
+
+  /// \param pair  of the limb, as the functions above return it.
+  double misfit(const BentPair& pair) const;
+
+  void putInto(const BentPair& limb, BentPair& whole) const;
+
+ private:
+  Limb a_, b_;
+  bool is_limb_;
+  double softness_;
+  Lie lie_a_, lie_b_;
+};
+
+/// A turn that was tried, by what is left of the misfit without it.
+struct Trial {
+  double misfit = 1;
+  LimbTurn turn;
+  BentPair limb;
+};
+
+/// All of the turns, by increasing misfit.
+std::vector<Trial> trials(const LimbPair& limb, const std::vector<LimbTurn>& turns);
+
+}  // namespace posture
