@@ -47,10 +47,7 @@ bool turnLimb(const SpectralSurface& a,
 /// that has settled for long, so the end alone is judged.
 /// \param pair  annealed, and to be annealed again where something was turned.
 /// \return  as turnLimb().
-bool turnLimbEnd(const SpectralSurface& a,
-                 const SpectralSurface& b,
-                 int tip,
-                 double softness,
-                 BentPair& pair);
+bool turnLimbEnd(
+    const SpectralSurface& a, const SpectralSurface& b, int tip, double softness, BentPair& pair);
 
 }  // namespace posture
