@@ -69,20 +69,6 @@ RegistrationResult registerWhole(const GivenShape& source,
   return result;
 }
 
-/// The map found with closed holes, which drifts less, with the verdict found without: patches
-/// differ from pose to pose and blur what tells answers apart.
-RegistrationResult joined(RegistrationResult judged, RegistrationResult patched) {
-  if (patched.trust > 0) patched.correspondence.confidence *= judged.trust / patched.trust;
-  judged.correspondence = std::move(patched.correspondence);
-  judged.deformed = std::move(patched.deformed);
-  judged.back = std::move(patched.back);
-  judged.scale = patched.scale;
-  judged.source.patched_holes = patched.source.patched_holes;
-  judged.target.patched_holes = patched.target.patched_holes;
-  giveVerdict(judged);
-  return judged;
-}
-
 /// The same, and where there are holes to speak of once more with those closed that may be.
 RegistrationResult registerPatched(const GivenShape& source,
                                    const GivenShape& target,
@@ -103,7 +89,7 @@ RegistrationResult registerPatched(const GivenShape& source,
         });
     leaveOutPatches(source, source_patched, target, target_patched, patched);
     if (result.chosen >= 0 && patched.chosen >= 0 && isSameAnswer(result, patched, target.input))
-      return joined(std::move(result), std::move(patched));
+      return withPatchedMap(std::move(result), std::move(patched));
     std::vector<RegistrationResult> attempts;
     attempts.push_back(std::move(result));
     attempts.push_back(std::move(patched));
