@@ -16,7 +16,8 @@ namespace posture::test {
 
 /// A club with a round body, an arm along x and a flat hand at its end, with a thumb on one side
 /// and a palm that is hollow: it fits itself in one way only. Of an area of one.
-inline TriangleMesh clubWithHand() {
+/// \param thumb  its height; clubs with different ones share their numbering.
+inline TriangleMesh clubWithHand(double thumb = 0.8) {
   TriangleMesh mesh = sphere(4);
   for (auto p : mesh.vertices.rowwise()) {
     const double x = p.x(), around = std::hypot(p.y(), p.z());
@@ -27,8 +28,8 @@ inline TriangleMesh clubWithHand() {
         around > 0 ? thin * (out > 0 ? std::sqrt(1 - out * out) + 0.2 * (1 - out) : around) / around
                    : 0;
     double y = p.y() * profile * (1 + 1.2 * hand), z = p.z() * profile * (1 - 0.4 * hand);
-    if (y > 0) y *= 1 + 0.8 * hand * std::exp(-std::pow((out - 0.82) / 0.06, 2));  // thumb
-    z -= 0.6 * hand * y * y;                                                       // palm
+    if (y > 0) y *= 1 + thumb * hand * std::exp(-std::pow((out - 0.82) / 0.06, 2));  // thumb
+    z -= 0.6 * hand * y * y;                                                         // palm
     p = Eigen::RowVector3d(x + 2.2 * out, y, z);
   }
   mesh.vertices /= std::sqrt(faceAreas(mesh).sum());

@@ -15,17 +15,21 @@ namespace posture {
 namespace {
 
 /// Stiff, then soft.
-void settleWell(const SpectralSurface& club, BentPair& pair) {
-  const double softness = club.eigenvalues[club.eigenvalues.size() - 1];
-  for (double share : {0.03, 0.1, 0.3, 1.0}) settle(club, club, share * softness, 6, pair);
+void settleWell(const SpectralSurface& a, const SpectralSurface& b, BentPair& pair) {
+  const double softness = a.eigenvalues[a.eigenvalues.size() - 1];
+  for (double share : {0.03, 0.1, 0.3, 1.0}) settle(a, b, share * softness, 6, pair);
 }
 
-/// The club on itself, its arm wound about itself, and settled.
-BentPair settledFrom(const SpectralSurface& club, double angle) {
-  BentPair pair{{}, test::wound(club.mesh, angle), test::wound(club.mesh, -angle)};
-  pair.maps = {test::nearestOf(pair.bent_a, club.mesh), test::nearestOf(pair.bent_b, club.mesh)};
-  settleWell(club, pair);
+/// A club on another one, its arm wound about itself, and settled.
+BentPair settledFrom(const SpectralSurface& a, const SpectralSurface& b, double angle) {
+  BentPair pair{{}, test::wound(a.mesh, angle), test::wound(b.mesh, -angle)};
+  pair.maps = {test::nearestOf(pair.bent_a, b.mesh), test::nearestOf(pair.bent_b, a.mesh)};
+  settleWell(a, b, pair);
   return pair;
+}
+
+BentPair settledFrom(const SpectralSurface& club, double angle) {
+  return settledFrom(club, club, angle);
 }
 
 class TurnLimbs : public testing::Test {
@@ -33,7 +37,7 @@ class TurnLimbs : public testing::Test {
   bool turn(BentPair& pair) const {
     const std::vector<LimbTurn> turns = likelyTurns(club_, club_, tip_, softness_, pair, 3);
     const bool turned = turnLimb(club_, club_, tip_, softness_, turns, pair);
-    settleWell(club_, pair);
+    settleWell(club_, club_, pair);
     return turned;
   }
 
@@ -56,20 +60,31 @@ TEST_F(TurnLimbs, aHandWithItsBackWhereThePalmBelongsIsTurned) {
   EXPECT_LT(test::meanMiss(club_.mesh, pair.maps.backward), 0.3);
 }
 
-TEST_F(TurnLimbs, anEndThatFitsStays) {
-  BentPair pair = settledFrom(club_, 0);
-  anneal(club_, club_, softness_, pair);
-  EXPECT_FALSE(turnLimbEnd(club_, club_, tip_, softness_, pair));
+/// The same club with a smaller thumb: an exact copy settles by itself once it is laid anew.
+class TurnLimbEnds : public TurnLimbs {
+ protected:
+  BentPair annealedFrom(double angle) const {
+    BentPair pair = settledFrom(club_, other_, angle);
+    anneal(club_, other_, softness_, pair);
+    return pair;
+  }
+  bool turnEnd(BentPair& pair) const { return turnLimbEnd(club_, other_, tip_, softness_, pair); }
+
+  const SpectralSurface other_ = test::spectralSurface(test::clubWithHand(0.6), 100);
+};
+
+TEST_F(TurnLimbEnds, whatFitsStays) {
+  BentPair pair = annealedFrom(0);
+  EXPECT_FALSE(turnEnd(pair));
 }
 
-TEST_F(TurnLimbs, anEndIsTurnedByItsOwnFit) {
-  BentPair pair = settledFrom(club_, M_PI);
-  anneal(club_, club_, softness_, pair);
+TEST_F(TurnLimbEnds, aHandWithItsBackWhereThePalmBelongsIsTurned) {
+  BentPair pair = annealedFrom(M_PI);
   EXPECT_GT(test::meanMiss(club_.mesh, pair.maps.forward), 1);
-  EXPECT_TRUE(turnLimbEnd(club_, club_, tip_, softness_, pair));
-  anneal(club_, club_, softness_, pair);
-  EXPECT_LT(test::meanMiss(club_.mesh, pair.maps.forward), 0.3);
-  EXPECT_LT(test::meanMiss(club_.mesh, pair.maps.backward), 0.3);
+  EXPECT_TRUE(turnEnd(pair));
+  anneal(club_, other_, softness_, pair);
+  EXPECT_LT(test::meanMiss(club_.mesh, pair.maps.forward), 0.5);
+  EXPECT_LT(test::meanMiss(club_.mesh, pair.maps.backward), 0.5);
 }
 
 TEST(TurnLimb, aBallHasNoLimbs) {
