@@ -28,6 +28,19 @@ void expectNeighborsOfFaces(const Faces& faces, int vertex_count) {
         << v;
 }
 
+void expectNeighborsOfNeighbors(const Faces& faces, int vertex_count) {
+  const VertexNeighbors one(faces, vertex_count), two = one.withinTwoEdges();
+  for (int v = 0; v < vertex_count; ++v) {
+    std::set<int> expected(one.begin(v), one.end(v));
+    for (const int* w = one.begin(v); w != one.end(v); ++w)
+      expected.insert(one.begin(*w), one.end(*w));
+    expected.erase(v);
+    EXPECT_EQ(std::vector<int>(two.begin(v), two.end(v)),
+              std::vector<int>(expected.begin(), expected.end()))
+        << v;
+  }
+}
+
 void expectBoundaryOfFaces(const Faces& faces, int vertex_count) {
   std::map<std::pair<int, int>, int> sides;
   for (int f = 0; f < faces.rows(); ++f)
@@ -52,6 +65,14 @@ TEST(VertexNeighbors, areTheCornersOfItsFaces) {
   expectNeighborsOfFaces(grid.faces, vertexCount(grid));
   expectNeighborsOfFaces(strangeFaces(), 9);
   expectNeighborsOfFaces(Faces(0, 3), 2);
+}
+
+TEST(VertexNeighbors, withinTwoEdgesAreTheirsAndTheirNeighborsButNotItself) {
+  const TriangleMesh sphere = test::sphere(2), grid = test::grid(7, 4, 1, 1);
+  expectNeighborsOfNeighbors(sphere.faces, vertexCount(sphere));
+  expectNeighborsOfNeighbors(grid.faces, vertexCount(grid));
+  expectNeighborsOfNeighbors(strangeFaces(), 9);
+  expectNeighborsOfNeighbors(Faces(0, 3), 2);
 }
 
 TEST(VertexNeighbors, doNotDependOnTheOrderOfTheFaces) {

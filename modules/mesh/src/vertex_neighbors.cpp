@@ -3,6 +3,9 @@
 #include <posture/mesh/edges.h>
 #include <posture/mesh/vertex_neighbors.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace posture {
 
 VertexNeighbors::VertexNeighbors(const Faces& faces, int vertex_count)
@@ -18,6 +21,22 @@ VertexNeighbors::VertexNeighbors(const Faces& faces, int vertex_count)
   // Sorted edges give each vertex first its lower neighbours, then its higher ones, in order.
   for (const Edge& e : edges) neighbors_[next[e.second]++] = e.first;
   for (const Edge& e : edges) neighbors_[next[e.first]++] = e.second;
+}
+
+VertexNeighbors VertexNeighbors::withinTwoEdges() const {
+  const int n = static_cast<int>(first_.size()) - 1;
+  VertexNeighbors two;
+  two.first_.assign(1, 0);
+  std::vector<int> near;
+  for (int v = 0; v < n; ++v) {
+    near.assign(begin(v), end(v));
+    for (const int* w = begin(v); w != end(v); ++w) near.insert(near.end(), begin(*w), end(*w));
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    std::remove_copy(near.begin(), near.end(), std::back_inserter(two.neighbors_), v);
+    two.first_.push_back(static_cast<int>(two.neighbors_.size()));
+  }
+  return two;
 }
 
 VertexFaces::VertexFaces(const Faces& faces, int vertex_count)

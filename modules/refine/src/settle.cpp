@@ -64,11 +64,8 @@ std::vector<int> slide(const BendableSurface& from,
     for (bool moved = true; moved;) {
       moved = false;
       const int here = best;
-      for (const int* w = to.neighbors.begin(here); w != to.neighbors.end(here); ++w) {
-        moved |= take(*w);
-        for (const int* u = to.neighbors.begin(*w); u != to.neighbors.end(*w); ++u)
-          moved |= take(*u);
-      }
+      const int* const end = to.within_two_edges.end(here);
+      for (const int* w = to.within_two_edges.begin(here); w != end; ++w) moved |= take(*w);
     }
     better[v] = best;
   });
@@ -97,21 +94,31 @@ std::vector<FacePoint> bestPlaces(const Features& of_from,
                                   const std::vector<int>& matches) {
   std::vector<FacePoint> places(matches.size());
   forEach(static_cast<int>(matches.size()), BLOCK, [&](int v) {
-    using Column = Eigen::Matrix<double, 12, 1>;
-    const Column p = of_from.col(v).cast<double>();
-    double least = std::numeric_limits<double>::infinity();
+    using Column = Eigen::Matrix<float, 12, 1>;
+    const int match = matches[v];
+    const Column corner = of_to.col(match), to_point = of_from.col(v) - corner;
+    float least = std::numeric_limits<float>::infinity();
     const VertexFaces& around = to.faces_around;
-    for (const int* f = around.begin(matches[v]); f != around.end(matches[v]); ++f) {
-      const auto corner = [&](int k) -> Column {
-        return of_to.col(to.mesh.faces(*f, k)).cast<double>();
-      };
-      const Column x = corner(0), y = corner(1), z = corner(2);
-      const Eigen::Vector3d at = nearestInTriangle<Column>(p, x, y, z);
-      const double distance = (at[0] * x + at[1] * y + at[2] * z - p).squaredNorm();
-      if (distance < least) {
-        least = distance;
-        places[v] = {*f, at};
-      }
+    for (const int* f = around.begin(match); f != around.end(match); ++f) {
+      const auto face = to.mesh.faces.row(*f);
+      const int first = face[0] == match ? 0 : face[1] == match ? 1 : 2;
+      const int second = (first + 1) % 3, third = (first + 2) % 3;
+      const Column to_second = of_to.col(face[second]) - corner,
+                   to_third = of_to.col(face[third]) - corner;
+      const Eigen::Vector3d at = nearestInTriangle({to_second.squaredNorm(),
+                                                    to_second.dot(to_third),
+                                                    to_third.squaredNorm(),
+                                                    to_second.dot(to_point),
+                                                    to_third.dot(to_point)});
+      const float distance =
+          (static_cast<float>(at[1]) * to_second + static_cast<float>(at[2]) * to_third - to_point)
+              .squaredNorm();
+      if (!(distance < least)) continue;
+      least = distance;
+      places[v].face = *f;
+      places[v].barycentric[first] = at[0];
+      places[v].barycentric[second] = at[1];
+      places[v].barycentric[third] = at[2];
     }
   });
   return places;

@@ -12,6 +12,7 @@ BendableSurface::BendableSurface(TriangleMesh surface)
     : mesh(std::move(surface)),
       normals(vertexNormals(mesh)),
       neighbors(mesh.faces, static_cast<int>(mesh.vertices.rows())),
+      within_two_edges(neighbors.withinTwoEdges()),
       faces_around(mesh.faces, static_cast<int>(mesh.vertices.rows())),
       on_boundary(boundaryVertices(mesh.faces, static_cast<int>(mesh.vertices.rows()))),
       laplacian(cotangentLaplacian(mesh)),

@@ -13,10 +13,15 @@ class VertexNeighbors {
  public:
   VertexNeighbors(const Faces& faces, int vertex_count);
 
+  /// For each vertex the others that one or two edges lead to, in increasing order.
+  VertexNeighbors withinTwoEdges() const;
+
   const int* begin(int v) const { return neighbors_.data() + first_[v]; }
   const int* end(int v) const { return neighbors_.data() + first_[v + 1]; }
 
  private:
+  VertexNeighbors() = default;
+
   std::vector<int> first_;  // n + 1
   std::vector<int> neighbors_;
 };

@@ -19,7 +19,7 @@ struct BendableSurface {
 
   TriangleMesh mesh;
   Points normals;  ///< n x 3, unit
-  VertexNeighbors neighbors;
+  VertexNeighbors neighbors, within_two_edges;
   VertexFaces faces_around;
   std::vector<char> on_boundary;  ///< n
   Laplacian laplacian;
