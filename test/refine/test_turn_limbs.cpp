@@ -61,30 +61,45 @@ TEST_F(TurnLimbs, aHandWithItsBackWhereThePalmBelongsIsTurned) {
 }
 
 /// The same club with a smaller thumb: an exact copy settles by itself once it is laid anew.
-class TurnLimbEnds : public TurnLimbs {
+class RefitLimbEnds : public TurnLimbs {
  protected:
   BentPair annealedFrom(double angle) const {
     BentPair pair = settledFrom(club_, other_, angle);
-    anneal(club_, other_, softness_, pair);
+    anneal(club_, other_, softness_, 2, pair);
     return pair;
   }
-  bool turnEnd(BentPair& pair) const { return turnLimbEnd(club_, other_, tip_, softness_, pair); }
+  bool refitEnd(BentPair& pair) const { return refitLimbEnd(club_, other_, tip_, softness_, pair); }
 
   const SpectralSurface other_ = test::spectralSurface(test::clubWithHand(0.6), 100);
 };
 
-TEST_F(TurnLimbEnds, whatFitsStays) {
+TEST_F(RefitLimbEnds, whatFitsStays) {
   BentPair pair = annealedFrom(0);
-  EXPECT_FALSE(turnEnd(pair));
+  EXPECT_FALSE(refitEnd(pair));
 }
 
-TEST_F(TurnLimbEnds, aHandWithItsBackWhereThePalmBelongsIsTurned) {
+TEST_F(RefitLimbEnds, aHandWithItsBackWhereThePalmBelongsIsTurned) {
   BentPair pair = annealedFrom(M_PI);
   EXPECT_GT(test::meanMiss(club_.mesh, pair.maps.forward), 1);
-  EXPECT_TRUE(turnEnd(pair));
-  anneal(club_, other_, softness_, pair);
+  EXPECT_TRUE(refitEnd(pair));
+  anneal(club_, other_, softness_, 2, pair);
   EXPECT_LT(test::meanMiss(club_.mesh, pair.maps.forward), 0.5);
   EXPECT_LT(test::meanMiss(club_.mesh, pair.maps.backward), 0.5);
+}
+
+TEST_F(RefitLimbEnds, aHandThatFitsInNoWayIsLeftAlone) {
+  TriangleMesh crumpled = test::clubWithHand(0.6);
+  const double tip = crumpled.vertices.col(0).maxCoeff();
+  const Points off = 0.01 * test::randomPoints(static_cast<int>(crumpled.vertices.rows()), 1);
+  for (int v = 0; v < crumpled.vertices.rows(); ++v)
+    if (tip - crumpled.vertices(v, 0) < 0.25) crumpled.vertices.row(v) += off.row(v);
+  const SpectralSurface other = test::spectralSurface(std::move(crumpled), 100);
+  BentPair pair = settledFrom(club_, other, M_PI);
+  anneal(club_, other, softness_, 2, pair);
+  const BentPair before = pair;
+  EXPECT_FALSE(refitLimbEnd(club_, other, tip_, softness_, pair));
+  EXPECT_EQ(pair.maps.forward, before.maps.forward);
+  EXPECT_EQ(pair.bent_a, before.bent_a);
 }
 
 TEST(TurnLimb, aBallHasNoLimbs) {
@@ -94,7 +109,7 @@ TEST(TurnLimb, aBallHasNoLimbs) {
   const std::vector<int> same = test::nearestOf(ball.vertices, ball);
   BentPair pair{{same, same}, ball.vertices, ball.vertices};
   EXPECT_TRUE(likelyTurns(surface, surface, 0, 100, pair, 3).empty());
-  EXPECT_FALSE(turnLimbEnd(surface, surface, 0, 100, pair));
+  EXPECT_FALSE(refitLimbEnd(surface, surface, 0, 100, pair));
 }
 
 TEST_F(TurnLimbs, nothingToTryWhereTheSurfaceIsTooSmall) {
@@ -105,13 +120,13 @@ TEST_F(TurnLimbs, nothingToTryWhereTheSurfaceIsTooSmall) {
   const std::vector<int> itself = test::nearestOf(large.vertices, large);
   BentPair on_itself{{itself, itself}, large.vertices, large.vertices};
   EXPECT_TRUE(likelyTurns(wide, wide, 0, 10, on_itself, 3).empty());
-  EXPECT_FALSE(turnLimbEnd(wide, wide, 0, 10, on_itself));
+  EXPECT_FALSE(refitLimbEnd(wide, wide, 0, 10, on_itself));
   const SpectralSurface crumb = test::spectralSurface(test::sphere(0), 4);
   const std::vector<int> same = test::nearestOf(crumb.mesh.vertices, crumb.mesh);
   BentPair pair{{same, same}, crumb.mesh.vertices, crumb.mesh.vertices};
   EXPECT_TRUE(likelyTurns(crumb, crumb, 0, 10, pair, 3).empty());
   EXPECT_FALSE(turnLimb(crumb, crumb, 0, 10, {{M_PI, 0.1, 0.35}}, pair));
-  EXPECT_FALSE(turnLimbEnd(crumb, crumb, 0, 10, pair));
+  EXPECT_FALSE(refitLimbEnd(crumb, crumb, 0, 10, pair));
   EXPECT_EQ(pair.maps.forward, same);
 }
 

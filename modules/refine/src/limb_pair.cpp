@@ -189,17 +189,22 @@ LimbPair::LimbPair(const SpectralSurface& a,
   is_limb_ = spineOf(a_, lie_a_).isWhole() && spineOf(b_, lie_b_).isWhole();
 }
 
-BentPair LimbPair::tried(const LimbTurn& turn) const {
+BentPair LimbPair::laid(const LimbTurn& turn) const {
   const Lie a = turned(a_, lie_a_, turn, 1), b = turned(b_, lie_b_, turn, -1);
   const double normal_sq = FIRST_NORMAL_WEIGHT / softness_;
-  BentPair pair{
+  return {
       {nearest(a, *b_.surface, normal_sq), nearest(b, *a_.surface, normal_sq)}, a.places, b.places};
+}
+
+BentPair LimbPair::settled(const LimbTurn& turn) const {
+  BentPair pair = laid(turn);
   for (double share : SHARES) settle(*a_.surface, *b_.surface, share * softness_, ROUNDS, pair);
   return pair;
 }
 
-BentPair LimbPair::annealed(BentPair pair) const {
-  anneal(*a_.surface, *b_.surface, softness_, pair);
+BentPair LimbPair::annealed(const LimbTurn& turn) const {
+  BentPair pair = laid(turn);
+  anneal(*a_.surface, *b_.surface, softness_, 1, pair);
   return pair;
 }
 
@@ -225,7 +230,7 @@ std::vector<Trial> trials(const LimbPair& limb, const std::vector<LimbTurn>& tur
     Trial& trial = tried[k];
     if (k > 0) trial.turn = turns[k - 1];
     try {
-      trial.limb = limb.tried(trial.turn);
+      trial.limb = limb.settled(trial.turn);
       trial.misfit = limb.misfit(trial.limb);
     } catch (const std::runtime_error&) {  // a crumb of the limb that nothing holds
       trial.misfit = std::numeric_limits<double>::infinity();

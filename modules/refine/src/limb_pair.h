@@ -51,10 +51,11 @@ class LimbPair {
   /// The other functions are for limbs.
   bool isLimb() const { return is_limb_; }
 
-  /// Turned and settled.
-  BentPair tried(const LimbTurn& turn) const;
+  /// Turned, and settled for a short while.
+  BentPair settled(const LimbTurn& turn) const;
 
-  BentPair annealed(BentPair pair) const;
+  /// Turned, and annealed once: enough to tell turns apart.
+  BentPair annealed(const LimbTurn& turn) const;
 
   /// \param pair  of the limb, as the functions above return it.
   double misfit(const BentPair& pair) const;
@@ -62,6 +63,8 @@ class LimbPair {
   void putInto(const BentPair& limb, BentPair& whole) const;
 
  private:
+  BentPair laid(const LimbTurn& turn) const;
+
   Limb a_, b_;
   bool is_limb_;
   double softness_;

@@ -30,7 +30,12 @@ void settle(const BendableSurface& a,
 /// Settles again and again, from stiff to soft: sliding along a surface, matches go most of the way
 /// in the first rounds and the rest of it slowly.
 /// \param softness  in the end; see settle().
-void anneal(const BendableSurface& a, const BendableSurface& b, double softness, BentPair& pair);
+/// \param cycles  how often; a third takes 0 to 2 % off what two leave.
+void anneal(const BendableSurface& a,
+            const BendableSurface& b,
+            double softness,
+            int cycles,
+            BentPair& pair);
 
 /// What was found on reduced meshes, on the meshes they were reduced from: every vertex moves as
 /// the reduced ones around it do, and takes the match of the nearest of them.

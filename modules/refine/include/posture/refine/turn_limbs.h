@@ -42,12 +42,12 @@ bool turnLimb(const SpectralSurface& a,
               const std::vector<LimbTurn>& turns,
               BentPair& pair);
 
-/// Turns the end of the limb at `tip`, a hand, a foot or a hoof, by quarters of a turn where it
-/// fits clearly better so. What it is wound by below then shows in no misfit of the whole until
-/// that has settled for long, so the end alone is judged.
-/// \param pair  annealed, and to be annealed again where something was turned.
-/// \return  as turnLimb().
-bool turnLimbEnd(
+/// Lays the limb at `tip` anew where its end, a hand, a foot or a hoof, does not fit: as it is, and
+/// with the end turned by quarters of a turn. What the limb is then wound by below shows in the
+/// misfit of the whole until that has settled for long, so the end alone is judged.
+/// \param pair  annealed, and to be annealed again where something was laid anew.
+/// \return  whether the end now fits clearly better; otherwise `pair` is as it was.
+bool refitLimbEnd(
     const SpectralSurface& a, const SpectralSurface& b, int tip, double softness, BentPair& pair);
 
 }  // namespace posture
