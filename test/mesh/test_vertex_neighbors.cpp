@@ -75,6 +75,15 @@ TEST(VertexNeighbors, withinTwoEdgesAreTheirsAndTheirNeighborsButNotItself) {
   expectNeighborsOfNeighbors(Faces(0, 3), 2);
 }
 
+TEST(VertexNeighbors, withinTwoEdgesAreNotAllOthersAtTheRimOfALargeFan) {
+  const int rim = 150;
+  Faces fan(rim, 3);
+  for (int k = 0; k < rim; ++k) fan.row(k) << 0, 1 + k, 1 + (k + 1) % rim;
+  const VertexNeighbors two = VertexNeighbors(fan, rim + 1).withinTwoEdges();
+  EXPECT_EQ(two.end(0) - two.begin(0), rim);
+  EXPECT_EQ(std::vector<int>(two.begin(75), two.end(75)), (std::vector<int>{0, 73, 74, 76, 77}));
+}
+
 TEST(VertexNeighbors, doNotDependOnTheOrderOfTheFaces) {
   const TriangleMesh sphere = test::sphere(2);
   expectNeighborsOfFaces(sphere.faces.colwise().reverse(), vertexCount(sphere));

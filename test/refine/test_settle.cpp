@@ -147,7 +147,7 @@ TEST(Settle, leavesARigidMotionAsItIs) {
   EXPECT_EQ(pair.maps.backward, same);
   EXPECT_LT(meanGap(pair.bent_a, b.mesh.vertices), 1e-9);
   EXPECT_LT(meanGap(pair.bent_b, a.mesh.vertices), 1e-9);
-  anneal(a, b, 100, 2, pair);
+  anneal(a, b, 100, pair);
   EXPECT_EQ(pair.maps.forward, same);
   EXPECT_EQ(pair.maps.backward, same);
   EXPECT_LT(meanGap(pair.bent_a, b.mesh.vertices), 1e-9);
@@ -161,7 +161,7 @@ TEST(Anneal, bringsPlacesHomeThatSettlingLeavesOnTheirWay) {
     BentPair settled = startFrom(poses.a, poses.b, test::perturbed(poses, 1, 1));
     BentPair annealed = settled;
     for (double share : {0.1, 0.3, 1.0}) settle(poses.a, poses.b, share * softness, 6, settled);
-    anneal(poses.a, poses.b, softness, 2, annealed);
+    anneal(poses.a, poses.b, softness, annealed);
     EXPECT_LT(test::meanError(poses.b, annealed.maps.forward), 0.01);
     EXPECT_LT(meanGap(annealed.bent_a, poses.b.mesh.vertices),
               0.7 * meanGap(settled.bent_a, poses.b.mesh.vertices));
@@ -213,7 +213,7 @@ TEST(Settle, doesNotDrawASurfaceToTheRimOfAHole) {
     BentPair annealed = pair;
     settle(a, b, 200, 10, pair);
     expectInPlace(pair);
-    anneal(a, b, 200, 2, annealed);
+    anneal(a, b, 200, annealed);
     expectInPlace(annealed);
   }
 }

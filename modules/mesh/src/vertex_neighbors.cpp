@@ -4,6 +4,7 @@
 #include <posture/mesh/vertex_neighbors.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 
 namespace posture {
@@ -24,13 +25,16 @@ VertexNeighbors::VertexNeighbors(const Faces& faces, int vertex_count)
 }
 
 VertexNeighbors VertexNeighbors::withinTwoEdges() const {
+  // Every vertex at the rim of a fan would have all others.
+  constexpr std::ptrdiff_t MOST_NEIGHBORS = 100;
   const int n = static_cast<int>(first_.size()) - 1;
   VertexNeighbors two;
   two.first_.assign(1, 0);
   std::vector<int> near;
   for (int v = 0; v < n; ++v) {
     near.assign(begin(v), end(v));
-    for (const int* w = begin(v); w != end(v); ++w) near.insert(near.end(), begin(*w), end(*w));
+    for (const int* w = begin(v); w != end(v); ++w)
+      if (end(*w) - begin(*w) <= MOST_NEIGHBORS) near.insert(near.end(), begin(*w), end(*w));
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     std::remove_copy(near.begin(), near.end(), std::back_inserter(two.neighbors_), v);

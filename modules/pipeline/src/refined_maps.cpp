@@ -23,13 +23,6 @@ const std::vector<int> FINE_SIZES{40, 58, 76, 95, 114, 133, 152, 171, 190};
 const std::vector<std::vector<double>> SOFTENINGS{{0.03, 0.1, 0.3, 1}, {0.1, 0.3, 1}};
 constexpr int ROUNDS = 6;
 
-/// Of annealing.
-constexpr int CYCLES = 2;
-
-/// How often ends of limbs are looked at: one that has been laid anew often fits better once more
-/// when all has settled with it.
-constexpr int REFITS = 2;
-
 /// How many turns of a limb are tried on the work meshes, and how all settles then to be compared.
 constexpr std::size_t MOST_TURNS = 2;
 const std::vector<double> QUICKLY{0.3, 1};
@@ -149,23 +142,16 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   return fitsBetter(turned) ? turned : map;
 }
 
-/// Annealed, and again where ends of limbs were laid anew.
+/// Annealed, ends of limbs that then do not fit laid anew, and annealed again.
 void annealWithEndsRefitted(const RefinedShape& source,
                             const SpectralSurface& source_work,
                             const SpectralSurface& target_work,
                             BentPair& pair) {
   const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
-  anneal(source_work, target_work, softness, CYCLES, pair);
-  std::vector<int> tips = tipsOf(source.samples);
-  for (int pass = 0; pass < REFITS; ++pass) {
-    std::vector<int> refitted;
-    for (int tip : tips)
-      if (refitLimbEnd(source_work, target_work, source.sample_vertex[tip], softness, pair))
-        refitted.push_back(tip);
-    if (refitted.empty()) return;
-    tips = std::move(refitted);
-    anneal(source_work, target_work, softness, CYCLES, pair);
-  }
+  anneal(source_work, target_work, softness, pair);
+  for (int tip : tipsOf(source.samples))
+    refitLimbEnd(source_work, target_work, source.sample_vertex[tip], softness, pair);
+  anneal(source_work, target_work, softness, pair);
 }
 
 }  // namespace

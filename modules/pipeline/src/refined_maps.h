@@ -21,8 +21,8 @@ struct RefinedMap {
 };
 
 /// Takes finalists to the work meshes and makes them as exact as those allow; by increasing score.
-/// Limbs of the first are turned about themselves where they fit better so; its score is that
-/// before.
+/// Limbs of the first are turned about themselves where they fit better so, it is annealed, and
+/// ends of limbs that do not fit are laid anew; its score is that before.
 std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const RefinedShape& target,
                                         const std::vector<const Finalist*>& finalists);

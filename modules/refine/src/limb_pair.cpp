@@ -204,7 +204,7 @@ BentPair LimbPair::settled(const LimbTurn& turn) const {
 
 BentPair LimbPair::annealed(const LimbTurn& turn) const {
   BentPair pair = laid(turn);
-  anneal(*a_.surface, *b_.surface, softness_, 1, pair);
+  anneal(*a_.surface, *b_.surface, softness_, pair);
   return pair;
 }
 

@@ -54,7 +54,7 @@ class LimbPair {
   /// Turned, and settled for a short while.
   BentPair settled(const LimbTurn& turn) const;
 
-  /// Turned, and annealed once: enough to tell turns apart.
+  /// Turned, and annealed: half as many rounds do not tell turns apart.
   BentPair annealed(const LimbTurn& turn) const;
 
   /// \param pair  of the limb, as the functions above return it.

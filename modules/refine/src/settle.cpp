@@ -113,7 +113,7 @@ std::vector<FacePoint> bestPlaces(const Features& of_from,
       const float distance =
           (static_cast<float>(at[1]) * to_second + static_cast<float>(at[2]) * to_third - to_point)
               .squaredNorm();
-      if (!(distance < least)) continue;
+      if (!(distance < least || places[v].face < 0)) continue;  // a face even of what is no number
       least = distance;
       places[v].face = *f;
       places[v].barycentric[first] = at[0];
@@ -137,19 +137,21 @@ Points pointsAt(const std::vector<FacePoint>& places, const TriangleMesh& mesh) 
 /// How often it is looked anew where a surface is strained.
 constexpr int RENEWAL = 3;
 
-/// Of anneal(). Many shares of few rounds do no worse than few of many, and by up to 5 % better.
+/// Shares of the softness in anneal(). Many of few rounds do no worse than few of many, and by up
+/// to 5 % better.
 constexpr std::array<double, 7> ANNEALING{0.1, 0.17, 0.3, 0.55, 1, 1.7, 1};
 constexpr int ROUNDS_OF_A_SHARE = 6;
 
-/// How far places are pulled in a round: `overshoot` times as far as their goals lie, after having
-/// moved on by `momentum` of how far they came in the round before.
+/// How places are pulled in a round: towards goals `overshoot` times as far off as they are, after
+/// having moved on by `momentum` of how far they came in the round before.
 struct Stride {
   double overshoot, momentum;
 };
 constexpr Stride TO_THE_GOAL{1, 0};
 
-/// Surfaces slide faster so, as solutions of linear systems are reached faster by over-relaxation,
-/// which diverges from 2 on, and by the heavy ball method (Polyak 1964), from 1 on.
+/// Slides faster: momentum is the heavy ball method's (Polyak 1964), which from 1 on never comes to
+/// rest. Where surfaces resist, goals farther off are like a higher softness; going 1.8 times as
+/// far as the whole pull leads (successive over-relaxation) diverges with this momentum.
 constexpr Stride FAST{1.8, 0.8};
 
 /// Bends one surface further and further onto another one.
@@ -259,14 +261,9 @@ void settle(const BendableSurface& a,
   Settling(a, b, TO_THE_GOAL, pair).run(softness, rounds);
 }
 
-void anneal(const BendableSurface& a,
-            const BendableSurface& b,
-            double softness,
-            int cycles,
-            BentPair& pair) {
+void anneal(const BendableSurface& a, const BendableSurface& b, double softness, BentPair& pair) {
   Settling settling(a, b, FAST, pair);
-  for (int cycle = 0; cycle < cycles; ++cycle)
-    for (double share : ANNEALING) settling.run(share * softness, ROUNDS_OF_A_SHARE);
+  for (double share : ANNEALING) settling.run(share * softness, ROUNDS_OF_A_SHARE);
 }
 
 BentPair carryUp(const TriangleMesh& a,

@@ -29,8 +29,9 @@ constexpr double REACH = 0.7;
 /// Of the misfit as it is. What is right on a finer mesh had at most 1.012 of it on the coarse one.
 constexpr double NEARLY_AS_GOOD = 1.02;
 
-/// A hand or a hoof is turned as a whole, and what follows it up to one of these distances from the
-/// tip takes the turn up.
+/// A hand or a hoof is turned as a whole, so far from the tip, and what follows it up to one of the
+/// joints takes the turn up.
+constexpr double TURNED_WHOLE = 0.1;
 constexpr std::array<double, 2> JOINTS{0.25, 0.35};
 constexpr std::array<double, 5> END_ANGLES{0, M_PI / 2, -M_PI / 2, M_PI, -M_PI};
 
@@ -57,6 +58,9 @@ constexpr double CLEARLY_BETTER = 0.9;
 /// with it (it has no counterpart, or is crushed), which a turn can make better and the map worse.
 /// Ends that were turned rightly came to 0.73 and less.
 constexpr double FITS_NOWHERE = 1;
+
+/// How often an end is laid anew: what fits better and not well yet may need another turn.
+constexpr int LOOKS = 2;
 
 /// The end of a limb of both surfaces.
 class EndPair {
@@ -88,25 +92,26 @@ class EndPair {
   double softness_;
 };
 
-/// Both whole surfaces, a limb of them laid anew and annealed.
-struct Laid {
-  double misfit = std::numeric_limits<double>::infinity();  ///< of the limb's end
+/// Both whole surfaces as they lie.
+struct Lying {
+  double misfit = std::numeric_limits<double>::infinity();  ///< of a limb's end
   BentPair whole;
 
-  bool operator<(const Laid& other) const { return misfit < other.misfit; }
+  bool operator<(const Lying& other) const { return misfit < other.misfit; }
 };
 
 /// One for each of END_ANGLES.
-std::vector<Laid> laidAnew(const LimbPair& limb,
-                           double joint,
-                           const EndPair& end,
-                           const BentPair& pair) {
-  std::vector<Laid> laid(END_ANGLES.size());
+std::vector<Lying> laidAnew(const LimbPair& limb,
+                            double joint,
+                            const EndPair& end,
+                            const BentPair& pair) {
+  std::vector<Lying> laid(END_ANGLES.size());
   parallelFor(static_cast<int>(laid.size()), [&](int k) {
     try {
       laid[k].whole = pair;
-      limb.putInto(limb.annealed({END_ANGLES[k], 0.1, joint}), laid[k].whole);
-      laid[k].misfit = end.misfit(laid[k].whole);
+      limb.putInto(limb.annealed({END_ANGLES[k], TURNED_WHOLE, joint}), laid[k].whole);
+      const double misfit = end.misfit(laid[k].whole);
+      if (std::isfinite(misfit)) laid[k].misfit = misfit;
     } catch (const std::runtime_error&) {  // a crumb of the limb that nothing holds
     }
   });
@@ -149,18 +154,25 @@ bool refitLimbEnd(
   const EndPair end(a, b, tip, softness, pair);
   if (!end.isEnd()) return false;
   const double in_place = end.misfit(pair);
-  if (!std::isfinite(in_place) || in_place < FITS) return false;
-  Laid unturned, turned;
-  for (double joint : JOINTS) {
-    const LimbPair limb(a, b, tip, joint + MARGIN, softness, pair);
-    if (!limb.isLimb()) continue;
-    std::vector<Laid> laid = laidAnew(limb, joint, end, pair);
-    if (laid.front() < unturned) unturned = std::move(laid.front());
-    const auto least = std::min_element(laid.begin() + 1, laid.end());
-    if (*least < turned) turned = std::move(*least);
+  if (!std::isfinite(in_place)) return false;
+  Lying best{in_place, pair};
+  for (int look = 0; look < LOOKS && best.misfit >= FITS; ++look) {
+    const double good = CLEARLY_BETTER * best.misfit;
+    const BentPair start = best.whole;
+    Lying turned;
+    for (double joint : JOINTS) {
+      const LimbPair limb(a, b, tip, joint + MARGIN, softness, start);
+      if (!limb.isLimb()) continue;
+      std::vector<Lying> laid = laidAnew(limb, joint, end, start);
+      if (laid.front() < best) best = std::move(laid.front());
+      const auto least = std::min_element(laid.begin() + 1, laid.end());
+      if (*least < turned) turned = std::move(*least);
+      // Heads, which mostly fit no better in any way, are done with sooner.
+      if (!(std::min(best.misfit, turned.misfit) < good)) break;
+    }
+    if (turned.misfit < CLEARLY_BETTER * best.misfit) best = std::move(turned);
+    if (!(best.misfit < good)) break;
   }
-  const bool turn = turned.misfit < CLEARLY_BETTER * std::min(in_place, unturned.misfit);
-  Laid& best = turn ? turned : unturned;
   if (!(best.misfit < CLEARLY_BETTER * in_place && best.misfit < FITS_NOWHERE)) return false;
   pair = std::move(best.whole);
   return true;

@@ -13,7 +13,8 @@ class VertexNeighbors {
  public:
   VertexNeighbors(const Faces& faces, int vertex_count);
 
-  /// For each vertex the others that one or two edges lead to, in increasing order.
+  /// For each vertex the others that one or two edges lead to, in increasing order. Through a
+  /// vertex that has more than 100 neighbours no two edges lead, only one to it.
   VertexNeighbors withinTwoEdges() const;
 
   const int* begin(int v) const { return neighbors_.data() + first_[v]; }

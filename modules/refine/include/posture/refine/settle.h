@@ -27,15 +27,11 @@ void settle(const BendableSurface& a,
             int rounds,
             BentPair& pair);
 
-/// Settles again and again, from stiff to soft: sliding along a surface, matches go most of the way
-/// in the first rounds and the rest of it slowly.
-/// \param softness  in the end; see settle().
-/// \param cycles  how often; a third takes 0 to 2 % off what two leave.
-void anneal(const BendableSurface& a,
-            const BendableSurface& b,
-            double softness,
-            int cycles,
-            BentPair& pair);
+/// Settles from stiff to soft with long strides (heavy ball method, Polyak 1964): sliding along a
+/// surface, matches go most of the way in the first rounds and the rest of it slowly.
+/// \param softness  nearly that of the end, which yields to pulls 1.8 times as long; see settle().
+/// \throws std::runtime_error  nothing holds a part of a surface; settle() as well
+void anneal(const BendableSurface& a, const BendableSurface& b, double softness, BentPair& pair);
 
 /// What was found on reduced meshes, on the meshes they were reduced from: every vertex moves as
 /// the reduced ones around it do, and takes the match of the nearest of them.
