@@ -59,9 +59,6 @@ constexpr double CLEARLY_BETTER = 0.9;
 /// Ends that were turned rightly came to 0.73 and less.
 constexpr double FITS_NOWHERE = 1;
 
-/// How often an end is laid anew: what fits better and not well yet may need another turn.
-constexpr int LOOKS = 2;
-
 /// The end of a limb of both surfaces.
 class EndPair {
  public:
@@ -154,26 +151,21 @@ bool refitLimbEnd(
   const EndPair end(a, b, tip, softness, pair);
   if (!end.isEnd()) return false;
   const double in_place = end.misfit(pair);
-  if (!std::isfinite(in_place)) return false;
-  Lying best{in_place, pair};
-  for (int look = 0; look < LOOKS && best.misfit >= FITS; ++look) {
-    const double good = CLEARLY_BETTER * best.misfit;
-    const BentPair start = best.whole;
-    Lying turned;
-    for (double joint : JOINTS) {
-      const LimbPair limb(a, b, tip, joint + MARGIN, softness, start);
-      if (!limb.isLimb()) continue;
-      std::vector<Lying> laid = laidAnew(limb, joint, end, start);
-      if (laid.front() < best) best = std::move(laid.front());
-      const auto least = std::min_element(laid.begin() + 1, laid.end());
-      if (*least < turned) turned = std::move(*least);
-      // Heads, which mostly fit no better in any way, are done with sooner.
-      if (!(std::min(best.misfit, turned.misfit) < good)) break;
-    }
-    if (turned.misfit < CLEARLY_BETTER * best.misfit) best = std::move(turned);
-    if (!(best.misfit < good)) break;
+  if (!(in_place >= FITS && std::isfinite(in_place))) return false;
+  const double good = CLEARLY_BETTER * in_place;
+  Lying best{in_place, pair}, turned;
+  for (double joint : JOINTS) {
+    const LimbPair limb(a, b, tip, joint + MARGIN, softness, pair);
+    if (!limb.isLimb()) continue;
+    std::vector<Lying> laid = laidAnew(limb, joint, end, pair);
+    if (laid.front() < best) best = std::move(laid.front());
+    const auto least = std::min_element(laid.begin() + 1, laid.end());
+    if (*least < turned) turned = std::move(*least);
+    // Heads, which mostly fit no better in any way, are done with sooner.
+    if (!(std::min(best.misfit, turned.misfit) < good)) break;
   }
-  if (!(best.misfit < CLEARLY_BETTER * in_place && best.misfit < FITS_NOWHERE)) return false;
+  if (turned.misfit < CLEARLY_BETTER * best.misfit) best = std::move(turned);
+  if (!(best.misfit < good && best.misfit < FITS_NOWHERE)) return false;
   pair = std::move(best.whole);
   return true;
 }
