@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/program.h"
+#include "support/shapes.h"
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -100,12 +101,7 @@ TEST_F(Apply, joinsFacetsThatShareNoVertices) {
   fs::create_directory(at("soup"));
   for (const char* name : {"source_colored.ply", "registered.ply"}) {
     const TriangleMesh whole = readMesh(at("of-source.ply") + "/" + name).mesh;
-    TriangleMesh soup{Points(whole.faces.size(), 3), Faces(whole.faces.rows(), 3)};
-    for (int i = 0; i < whole.faces.size(); ++i) {
-      soup.vertices.row(i) = whole.vertices.row(whole.faces.data()[i]);
-      soup.faces.data()[i] = i;
-    }
-    writeMesh(at("soup") + "/" + name, soup);
+    writeMesh(at("soup") + "/" + name, test::soup(whole));
   }
   fs::copy(at("of-source.ply") + "/report.json", at("soup"));
   writeCloud("near.xyz", body(0).mesh.vertices.array() + 0.003);

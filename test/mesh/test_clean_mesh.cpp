@@ -123,14 +123,7 @@ TEST(CleanMesh, everyInputVertexHasAPlace) {
 
 TEST(CleanMesh, weldsTheTriangleSoupOfAnStlFile) {
   const TriangleMesh sphere = test::sphere(1);
-  TriangleMesh soup;
-  soup.vertices.resize(sphere.faces.size(), 3);
-  soup.faces.resize(sphere.faces.rows(), 3);
-  for (int i = 0; i < sphere.faces.size(); ++i) {
-    soup.vertices.row(i) = sphere.vertices.row(sphere.faces.data()[i]);
-    soup.faces.data()[i] = i;
-  }
-  const CleanMesh clean = cleanMesh(soup);
+  const CleanMesh clean = cleanMesh(test::soup(sphere));
   EXPECT_EQ(clean.mesh.vertices.rows(), sphere.vertices.rows());
   EXPECT_EQ(clean.mesh.faces.rows(), sphere.faces.rows());
   EXPECT_EQ(clean.summary.components, 1);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/deformation/reduce_mesh.h>
+#include <posture/mesh/edges.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/synthesis/articulated_body.h>
 
@@ -175,6 +176,27 @@ TEST(RegisterShapes, everyInputVertexHasARow) {
   // A repeated vertex goes where the first one goes.
   EXPECT_EQ(result.correspondence.on_target[n + 12].vertex,
             result.correspondence.on_target[7].vertex);
+}
+
+TEST(RegisterShapes, noiseAndVerticesFarFromTheirNeighboursDoNoHarm) {
+  const ArticulatedBody source = body(0), target = body(1, 1);
+  const auto spoilt = [](TriangleMesh mesh, double length) {
+    const Points off = test::randomPoints(static_cast<int>(mesh.vertices.rows()), 3);
+    mesh.vertices += 0.4 * meanEdgeLength(mesh) * off;
+    for (int v = 0; v < mesh.vertices.rows(); v += 50) mesh.vertices.row(v) += length * off.row(v);
+    return mesh;
+  };
+  const RegistrationResult result =
+      registerShapes(spoilt(source.mesh, 1e6), spoilt(target.mesh, 10));
+  EXPECT_EQ(result.status, Status::REGISTERED);
+  for (const ShapeSummary& side : {result.source, result.target}) {
+    EXPECT_GE(side.denoising.spikes, 0.019 * side.vertices);
+    EXPECT_GE(side.denoising.smoothing_rounds, 1);
+  }
+  const double error = meanError(
+      verticesOf(result.correspondence), groundTruth(source, target), result, target.mesh);
+  EXPECT_LT(error, 0.03);
+  EXPECT_LT(result.deformed.cwiseAbs().maxCoeff(), 2 * target.mesh.vertices.cwiseAbs().maxCoeff());
 }
 
 TEST(RegisterShapes, holesAreClosedForTheSearchAndHaveNoRow) {

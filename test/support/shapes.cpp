@@ -151,6 +151,16 @@ TriangleMesh fused(const TriangleMesh& mesh, int a, int b) {
   return result;
 }
 
+TriangleMesh soup(const TriangleMesh& mesh) {
+  TriangleMesh loose{Points(mesh.faces.size(), 3), Faces(mesh.faces.rows(), 3)};
+  for (int f = 0; f < mesh.faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      loose.faces(f, k) = 3 * f + k;
+      loose.vertices.row(3 * f + k) = mesh.vertices.row(mesh.faces(f, k));
+    }
+  return loose;
+}
+
 Points randomPoints(int count, std::uint64_t seed) {
   Rng rng(seed);
   Points points(count, 3);

@@ -27,6 +27,9 @@ TriangleMesh torus(int around, int across, double ring_radius, double tube_radiu
 /// vertices are left without a face. One handle more.
 TriangleMesh fused(const TriangleMesh& mesh, int a, int b);
 
+/// Every corner with a vertex of its own, as STL has them: vertex 3 f + k is corner k of face f.
+TriangleMesh soup(const TriangleMesh& mesh);
+
 /// count x 3, each coordinate standard normal.
 Points randomPoints(int count, std::uint64_t seed);
 

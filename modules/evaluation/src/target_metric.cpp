@@ -4,11 +4,13 @@
 #include <posture/core/parallel.h>
 #include <posture/evaluation/target_metric.h>
 #include <posture/mesh/edges.h>
+#include <posture/mesh/spikes.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace posture {
 namespace {
@@ -56,10 +58,17 @@ void parallelBlocks(std::size_t count, const Body& body) {
   });
 }
 
+TriangleMesh withoutSpikes(TriangleMesh mesh) {
+  setSpikesBack(mesh);
+  return mesh;
+}
+
 }  // namespace
 
-TargetMetric::TargetMetric(const TriangleMesh& target)
-    : target_(target), surface_(cleanMesh(target)), marching_(surface_.mesh) {
+TargetMetric::TargetMetric(TriangleMesh target)
+    : target_(withoutSpikes(std::move(target))),
+      surface_(cleanMesh(target_)),
+      marching_(surface_.mesh) {
   root_area_ = std::sqrt(faceAreas(surface_.mesh).sum());
   if (!(root_area_ > 0)) throw InputError("has no area");
   mean_edge_length_ = posture::meanEdgeLength(surface_.mesh);

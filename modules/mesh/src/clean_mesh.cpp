@@ -7,30 +7,15 @@
 #include <posture/mesh/point_index.h>
 
 #include <Eigen/Geometry>
-#include <boost/container_hash/hash.hpp>
 
+#include "weld.h"
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <set>
-#include <unordered_map>
 
 namespace posture {
 namespace {
-
-/// Input vertex -> the first input vertex at the same place.
-std::vector<int> weld(const Points& vertices) {
-  using Place = std::array<double, 3>;
-  std::unordered_map<Place, int, boost::hash<Place>> first_at;
-  first_at.reserve(vertices.rows());
-  std::vector<int> representative(vertices.rows());
-  for (int v = 0; v < vertices.rows(); ++v) {
-    // Adding zero turns -0 into +0.
-    const Place place{vertices(v, 0) + 0.0, vertices(v, 1) + 0.0, vertices(v, 2) + 0.0};
-    representative[v] = first_at.try_emplace(place, v).first->second;
-  }
-  return representative;
-}
 
 std::vector<Eigen::Vector3i> usableFaces(const Faces& faces,
                                          const std::vector<int>& representative,

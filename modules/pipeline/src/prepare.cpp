@@ -4,6 +4,7 @@
 
 #include <posture/core/error.h>
 #include <posture/geodesic/fast_marching.h>
+#include <posture/mesh/denoise.h>
 
 namespace posture {
 namespace {
@@ -26,9 +27,10 @@ StagePicture sampleCloud(const std::string& side, const EmbeddedShape& shape) {
 
 }  // namespace
 
-CleanMesh cleanSide(const std::string& side, const TriangleMesh& input) {
+CleanMesh cleanSide(const std::string& side, SideSurface& surface) {
   try {
-    return cleanMesh(input);
+    if (!surface.scan) surface.denoising = denoise(surface.mesh);
+    return cleanMesh(surface.mesh);
   } catch (const InputError& error) {
     throw InputError(side + " " + error.what());
   }

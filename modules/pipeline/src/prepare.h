@@ -6,13 +6,15 @@
 #include <posture/mesh/clean_mesh.h>
 #include <posture/pipeline/observer.h>
 
+#include "scan_side.h"
 #include <string>
 #include <vector>
 
 namespace posture {
 
-/// cleanMesh, naming the side ("source") in what it throws.
-CleanMesh cleanSide(const std::string& side, const TriangleMesh& input);
+/// cleanMesh, naming the side ("source") in what it throws. A mesh as it was given is denoised
+/// first; the surface of a cloud was laid through denoised points.
+CleanMesh cleanSide(const std::string& side, SideSurface& surface);
 
 /// Voronoi samples with distances and confidences. \throws InputError  too few to tell a shape.
 Landmarks sampleSide(const std::string& side, const TriangleMesh& mesh);

@@ -169,15 +169,10 @@ void addPieceAttempts(const GivenShape& source,
   }
 }
 
-RegistrationResult registerMeshes(const TriangleMesh& source_mesh,
-                                  const TriangleMesh& target_mesh,
+RegistrationResult registerMeshes(const GivenShape& source,
+                                  const GivenShape& target,
                                   const RegistrationOptions& options,
                                   StageClock& clock) {
-  const auto [source_clean, target_clean] = clock.stage("cleaning", 0.02, [&] {
-    return std::pair(cleanSide("source", source_mesh), cleanSide("target", target_mesh));
-  });
-  clock.show([&, &a = source_clean, &b = target_clean] { return cleaningPictures(a, b); });
-  const GivenShape source{source_mesh, source_clean}, target{target_mesh, target_clean};
   if (options.method == Method::PAPER) return publishedMethod(source, target, clock);
 
   std::vector<RegistrationResult> attempts;
@@ -185,12 +180,27 @@ RegistrationResult registerMeshes(const TriangleMesh& source_mesh,
   const double mapped = mappedShare(attempts.front());
   if (!looksAlike(attempts.front()) || mapped < NEARLY_ALL)
     addJoinedAttempt(source, target, options, clock, attempts);
-  if (attempts.size() == 2 && isSameAnswer(attempts[0], attempts[1], target_mesh) &&
+  if (attempts.size() == 2 && isSameAnswer(attempts[0], attempts[1], target.input) &&
       attempts[1].status == Status::REGISTERED && mappedShare(attempts[1]) > mapped + CLEARLY_MORE)
     return std::move(attempts[1]);
   if (std::none_of(attempts.begin(), attempts.end(), looksAlike))
     addPieceAttempts(source, target, options, clock, attempts);
-  return bestAttempt(std::move(attempts), target_mesh, options);
+  return bestAttempt(std::move(attempts), target.input, options);
+}
+
+RegistrationResult registerSurfaces(SideSurface& source,
+                                    SideSurface& target,
+                                    const RegistrationOptions& options,
+                                    StageClock& clock) {
+  const auto [source_clean, target_clean] = clock.stage("cleaning", 0.02, [&] {
+    return std::pair(cleanSide("source", source), cleanSide("target", target));
+  });
+  clock.show([&, &a = source_clean, &b = target_clean] { return cleaningPictures(a, b); });
+  RegistrationResult result =
+      registerMeshes({source.mesh, source_clean}, {target.mesh, target_clean}, options, clock);
+  result.source.denoising = source.denoising;
+  result.target.denoising = target.denoising;
+  return result;
 }
 
 }  // namespace
@@ -200,7 +210,8 @@ RegistrationResult registerShapes(const TriangleMesh& source,
                                   const RegistrationOptions& options,
                                   const Observer& observer) {
   StageClock clock(observer);
-  RegistrationResult result = registerMeshes(source, target, options, clock);
+  SideSurface source_surface{source, {}, {}}, target_surface{target, {}, {}};
+  RegistrationResult result = registerSurfaces(source_surface, target_surface, options, clock);
   result.timings = clock.timings();
   return result;
 }
@@ -214,8 +225,7 @@ RegistrationResult registerShapes(const Shape& source,
     return std::pair(surfaceOf("source", source, options.surface),
                      surfaceOf("target", target, options.surface));
   });
-  RegistrationResult result =
-      registerMeshes(source_surface.mesh, target_surface.mesh, options, clock);
+  RegistrationResult result = registerSurfaces(source_surface, target_surface, options, clock);
   clock.stage("points", 0.01, [&] {
     referToPoints(source, target, std::move(source_surface), std::move(target_surface), result);
     return 0;

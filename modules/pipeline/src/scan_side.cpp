@@ -147,7 +147,7 @@ Points movedPoints(const TriangleMesh& surface, const Points& deformed, const Po
 }  // namespace
 
 SideSurface surfaceOf(const std::string& side, const Shape& shape, SurfaceMethod method) {
-  if (shape.faces.rows() > 0) return {{shape.cloud.points, shape.faces}, std::nullopt};
+  if (shape.faces.rows() > 0) return {{shape.cloud.points, shape.faces}, std::nullopt, {}};
   try {
     SideSurface surface;
     surface.scan = reconstruct(shape.cloud, {method});

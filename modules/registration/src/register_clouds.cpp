@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
+#include <posture/mesh/denoise.h>
 #include <posture/mesh/point_index.h>
 #include <posture/registration/register_clouds.h>
 
@@ -155,10 +156,13 @@ RegisteredClouds registered(const CloudSide& source,
   RegisteredClouds clouds;
   clouds.result = registerShapes(from.shape, to.shape, options);
   RegistrationResult& result = clouds.result;
-  clouds.surface =
-      result.source_scan
-          ? DeformedSurface{result.source_scan->mesh, result.surface_deformed}
-          : joinedSurface({from.shape.cloud.points, from.shape.faces}, result.deformed);
+  if (result.source_scan) {
+    clouds.surface = {result.source_scan->mesh, result.surface_deformed};
+  } else {
+    TriangleMesh rest{from.shape.cloud.points, from.shape.faces};
+    denoise(rest);
+    clouds.surface = joinedSurface(rest, result.deformed);
+  }
   clouds.normals = turnedNormals(clouds.surface, source.cloud);
   referToSides(from, to, source.cloud.points, result);
   addMatches(source, target, clouds);

@@ -17,6 +17,10 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 Json share(double part, double whole) { return number(part / whole); }
 
+Json describe(const Denoising& denoising) {
+  return {{"spikes", denoising.spikes}, {"smoothing_rounds", denoising.smoothing_rounds}};
+}
+
 Json describe(const CleaningSummary& cleaning) {
   return {{"unreferenced_vertices", cleaning.unreferenced_vertices},
           {"welded_vertices", cleaning.welded_vertices},
@@ -60,6 +64,7 @@ Json describe(const std::string& file,
           {"scan", scan ? describe(scan->summary) : Json(nullptr)},
           {"vertices", shape.vertices},
           {"faces", shape.faces},
+          {"denoising", describe(shape.denoising)},
           {"cleaning", describe(shape.cleaning)},
           {"main_surface",
            {{"vertices", shape.clean_vertices},

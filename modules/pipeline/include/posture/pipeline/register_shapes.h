@@ -6,6 +6,7 @@
 #include <posture/core/point_cloud.h>
 #include <posture/core/types.h>
 #include <posture/mesh/clean_mesh.h>
+#include <posture/mesh/denoise.h>
 #include <posture/pipeline/observer.h>
 #include <posture/scan/reconstruct.h>
 
@@ -76,6 +77,7 @@ struct AlternativeSummary {
 struct ShapeSummary {
   int vertices = 0;  ///< as given
   int faces = 0;
+  Denoising denoising;  ///< of a mesh; the surface of a cloud is of denoised points
   CleaningSummary cleaning;
   int clean_vertices = 0;
   int boundary_edges = 0;
@@ -102,7 +104,7 @@ struct RegistrationResult {
   Status status = Status::UNDECIDED;
   std::string message;
   Correspondence correspondence;
-  Points deformed;  ///< n x 3: the source's vertices (points), as given, moved onto the target
+  Points deformed;  ///< n x 3: the source's vertices, denoised, or points moved onto the target
   std::optional<WayBack> back;                   ///< if asked for
   std::vector<HypothesisSummary> hypotheses;     ///< PAPER
   std::vector<AlternativeSummary> alternatives;  ///< REFINED, by increasing score

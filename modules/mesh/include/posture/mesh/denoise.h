@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/mesh/smooth_noise.h>
+#include <posture/mesh/spikes.h>
+
+namespace posture {
+
+/// What denoise() did.
+struct Denoising {
+  int spikes = 0;            ///< as setSpikesBack() returns
+  int smoothing_rounds = 0;  ///< as smoothNoise() returns
+};
+
+/// What a mesh goes through before anything else is done with its shape.
+inline Denoising denoise(TriangleMesh& mesh) {
+  Denoising done;
+  done.spikes = setSpikesBack(mesh);
+  done.smoothing_rounds = smoothNoise(mesh);
+  return done;
+}
+
+}  // namespace posture

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/edges.h>
+#include <posture/mesh/smooth_noise.h>
+#include <posture/synthesis/articulated_body.h>
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+#include <cmath>
+#include <utility>
+
+namespace posture {
+namespace {
+
+TriangleMesh noisy(TriangleMesh mesh, double edges) {
+  const double length = edges * meanEdgeLength(mesh);
+  mesh.vertices += length * test::randomPoints(static_cast<int>(mesh.vertices.rows()), 1);
+  return mesh;
+}
+
+double rootMeanSquareOff(const Points& places, double radius) {
+  return std::sqrt((places.rowwise().norm().array() - radius).square().mean());
+}
+
+TEST(SmoothNoise, leavesBodiesAsTheyAre) {
+  BodyOptions coarse;
+  coarse.vertices = 1000;
+  for (TriangleMesh mesh : {test::sphere(1),
+                            test::sphere(2),
+                            test::torus(16, 6, 1, 0.3),
+                            test::torus(40, 12, 1, 0.3),
+                            test::bentStrip(20, 8, 2, 1, 1),
+                            makeBody(coarse).mesh,
+                            noisy(test::sphere(4), 0.05)}) {
+    const Points before = mesh.vertices;
+    EXPECT_EQ(smoothNoise(mesh), 0);
+    EXPECT_EQ(mesh.vertices, before);
+  }
+}
+
+TEST(SmoothNoise, takesNoiseAwayAndKeepsTheSize) {
+  for (double edges : {0.3, 1.0}) {
+    TriangleMesh mesh = noisy(test::sphere(4), edges);
+    const double before = rootMeanSquareOff(mesh.vertices, 1);
+    EXPECT_GE(smoothNoise(mesh), 1);
+    EXPECT_LT(rootMeanSquareOff(mesh.vertices, 1), 0.5 * before);
+    EXPECT_NEAR(mesh.vertices.rowwise().norm().mean(), 1, 0.02);
+  }
+}
+
+TEST(SmoothNoise, keepsRims) {
+  const TriangleMesh plane = test::grid(40, 20, 2, 1);
+  TriangleMesh mesh = noisy(plane, 0.3);
+  EXPECT_GE(smoothNoise(mesh), 1);
+  const Points low = mesh.vertices.colwise().minCoeff(), high = mesh.vertices.colwise().maxCoeff();
+  const double edge = meanEdgeLength(plane);
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_NEAR(low(0, k), plane.vertices.col(k).minCoeff(), edge);
+    EXPECT_NEAR(high(0, k), plane.vertices.col(k).maxCoeff(), edge);
+  }
+}
+
+TEST(SmoothNoise, doesNotDependOnWhichWayFacesAreTurned) {
+  TriangleMesh mesh = noisy(test::sphere(3), 0.3), turned = mesh;
+  for (int f = 0; f < turned.faces.rows(); f += 2)
+    std::swap(turned.faces(f, 0), turned.faces(f, 1));
+  EXPECT_EQ(smoothNoise(mesh), smoothNoise(turned));
+  EXPECT_LT((mesh.vertices - turned.vertices).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(SmoothNoise, ofFacetsThatShareNoVertices) {
+  TriangleMesh mesh = noisy(test::sphere(3), 0.3), loose = test::soup(mesh);
+  EXPECT_EQ(smoothNoise(mesh), smoothNoise(loose));
+  EXPECT_LT((test::soup(mesh).vertices - loose.vertices).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(SmoothNoise, comesToAnEndOnWhatIsNoSurface) {
+  TriangleMesh mesh = test::sphere(3);
+  mesh.vertices = test::randomPoints(static_cast<int>(mesh.vertices.rows()), 2);
+  smoothNoise(mesh);
+  EXPECT_TRUE(mesh.vertices.allFinite());
+  TriangleMesh none{Points(0, 3), Faces(0, 3)};
+  EXPECT_EQ(smoothNoise(none), 0);
+  TriangleMesh flat = test::grid(5, 5, 1, 1);
+  flat.vertices.setZero();
+  EXPECT_EQ(smoothNoise(flat), 0);
+}
+
+}  // namespace
+}  // namespace posture

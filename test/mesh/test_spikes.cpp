@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/edges.h>
+#include <posture/mesh/spikes.h>
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+#include <cmath>
+#include <vector>
+
+namespace posture {
+namespace {
+
+/// A cone of a single ring, its base left open: the tip is vertex `around`.
+TriangleMesh cone(int around, double height) {
+  TriangleMesh mesh{Points(around + 1, 3), Faces(around, 3)};
+  for (int i = 0; i < around; ++i) {
+    const double angle = 2 * M_PI * i / around;
+    mesh.vertices.row(i) << std::cos(angle), std::sin(angle), 0;
+    mesh.faces.row(i) << i, (i + 1) % around, around;
+  }
+  mesh.vertices.row(around) << 0, 0, height;
+  return mesh;
+}
+
+/// Two rings of vertices and nothing between them.
+TriangleMesh tube(int around, double height) {
+  TriangleMesh mesh{Points(2 * around, 3), Faces(2 * around, 3)};
+  for (int i = 0; i < around; ++i) {
+    const double angle = 2 * M_PI * i / around;
+    const int next = (i + 1) % around;
+    mesh.vertices.row(i) << std::cos(angle), std::sin(angle), 0;
+    mesh.vertices.row(around + i) << std::cos(angle), std::sin(angle), height;
+    mesh.faces.row(2 * i) << i, next, around + i;
+    mesh.faces.row(2 * i + 1) << next, around + next, around + i;
+  }
+  return mesh;
+}
+
+class Spikes : public testing::Test {
+ protected:
+  void throwOut(int v, const Eigen::RowVector3d& by) { spiky_.vertices.row(v) += by; }
+
+  const TriangleMesh sphere_ = test::sphere(4);  // edges of about 0.07
+  const double edge_ = meanEdgeLength(sphere_);
+  TriangleMesh spiky_ = sphere_;
+};
+
+TEST_F(Spikes, areSetBackAndNothingElseMoves) {
+  const std::vector<int> out{7, 300, 1111};
+  throwOut(7, {3, 0, 0});
+  throwOut(300, {0, -1e9, 1e9});
+  throwOut(1111, {0, 0, 1e200});
+  EXPECT_EQ(setSpikesBack(spiky_), 3);
+  for (int v : out) EXPECT_LT((spiky_.vertices.row(v) - sphere_.vertices.row(v)).norm(), edge_);
+  for (int v : out) spiky_.vertices.row(v) = sphere_.vertices.row(v);
+  EXPECT_EQ(spiky_.vertices, sphere_.vertices);
+  EXPECT_EQ(spiky_.faces, sphere_.faces);
+}
+
+TEST_F(Spikes, besideEachOther) {
+  const int a = sphere_.faces(100, 0), b = sphere_.faces(100, 1);
+  throwOut(a, {20, 0, 3});
+  throwOut(b, {-3, 40, 0});
+  EXPECT_EQ(setSpikesBack(spiky_), 2);
+  for (int v : {a, b}) EXPECT_LT((spiky_.vertices.row(v) - sphere_.vertices.row(v)).norm(), edge_);
+}
+
+TEST_F(Spikes, ofFacetsThatShareNoVertices) {
+  throwOut(42, {0, 5, 5});
+  TriangleMesh loose = test::soup(spiky_);
+  const TriangleMesh whole = test::soup(sphere_);
+  EXPECT_EQ(setSpikesBack(loose), 1);
+  EXPECT_LT((loose.vertices - whole.vertices).rowwise().norm().maxCoeff(), edge_);
+}
+
+TEST(SpikesOfBodies, areLeftAlone) {
+  for (TriangleMesh mesh : {test::sphere(0),
+                            test::torus(60, 4, 1, 0.01),
+                            cone(60, 0),
+                            cone(60, 4.5),
+                            tube(60, 200),
+                            test::grid(2, 40, 1, 1e4)}) {
+    const Points before = mesh.vertices;
+    EXPECT_EQ(setSpikesBack(mesh), 0);
+    EXPECT_EQ(mesh.vertices, before);
+  }
+  TriangleMesh needle = cone(60, 5.5);
+  EXPECT_EQ(setSpikesBack(needle), 1);
+}
+
+}  // namespace
+}  // namespace posture
