@@ -3,6 +3,7 @@
 #include "result_messages.h"
 
 #include <posture/deformation/apply_deformation.h>
+#include <posture/mesh/denoise.h>
 #include <posture/report/colors.h>
 #include <posture/report/table.h>
 
@@ -85,10 +86,22 @@ void add(DiagnosticStatus& status, const std::string& key, const std::string& va
 
 }  // namespace
 
+namespace {
+
+/// Of a mesh the one that was registered; of a cloud the surface laid through it.
+DeformedSurface deformedSurface(const Shape& source, const RegistrationResult& result) {
+  if (result.source_scan) return {result.source_scan->mesh, result.surface_deformed};
+  TriangleMesh rest{source.cloud.points, source.faces};
+  denoise(rest);
+  return joinedSurface(rest, result.deformed);
+}
+
+}  // namespace
+
 PointCloud2 registeredCloud(const SideView& source,
                             const SideView& target,
                             const RegistrationResult& result) {
-  const DeformedSurface surface{result.source_scan->mesh, result.surface_deformed};
+  const DeformedSurface surface = deformedSurface(source.shape, result);
   PointCloud2 message =
       moved(source.message, result.deformed, turnedNormals(surface, source.shape.cloud));
   message.header = target.message.header;
