@@ -84,10 +84,6 @@ void add(DiagnosticStatus& status, const std::string& key, const std::string& va
   status.values.push_back(entry);
 }
 
-}  // namespace
-
-namespace {
-
 /// Of a mesh the one that was registered; of a cloud the surface laid through it.
 DeformedSurface deformedSurface(const Shape& source, const RegistrationResult& result) {
   if (result.source_scan) return {result.source_scan->mesh, result.surface_deformed};
