@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Writes two lists of the benchmark's near-isometric pairs with their sources meshed otherwise, and
+"""Writes lists of the benchmark's near-isometric pairs with their sources meshed otherwise, and
 truths to match: with three times the vertices (a point put into each face, then the old edges
-turned) and with a third of them (vertices pulled into a neighbour, along short edges first). The
-vertices that stay are where they were, and only they have a truth.
+turned), with a third of them (vertices pulled into a neighbour, along short edges first), and with
+the same vertices and nearly a third of the edges turned, which tells what a pair owes to meshes
+that share their faces. The vertices that stay are where they were, and only they have a truth.
 
     bench/remeshed_list.py BENCHMARK_FOLDER OUT_FOLDER
     posture benchmark OUT_FOLDER/thrice.csv -o RESULTS
     posture benchmark OUT_FOLDER/third.csv -o RESULTS
+    posture benchmark OUT_FOLDER/turned.csv -o RESULTS
 """
 import csv
 import heapq
@@ -49,6 +51,12 @@ def normal(vertices, face):
     a, b, c = (vertices[v] for v in face)
     u, w = minus(b, a), minus(c, a)
     return (u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0])
+
+
+def alike(vertices, face, other, least):
+    """Whether the cosine between the normals is more than `least`."""
+    n, m = normal(vertices, face), normal(vertices, other)
+    return dot(n, m) > least * (dot(n, n) * dot(m, m)) ** 0.5
 
 
 def oriented(faces):
@@ -125,8 +133,7 @@ def third(vertices, faces):
             return False
         for f in around[gone] - around[kept]:
             now = tuple(kept if v == gone else v for v in faces[f])
-            old, new = normal(vertices, faces[f]), normal(vertices, now)
-            if dot(old, new) <= 0.5 * (dot(old, old) * dot(new, new)) ** 0.5:
+            if not alike(vertices, faces[f], now, 0.5):
                 return False
         return True
 
@@ -162,11 +169,35 @@ def third(vertices, faces):
             [tuple(number[v] for v in faces[f]) for f in sorted(faces)], number)
 
 
+def turned(vertices, faces):
+    """Mesh, and the old vertices' numbers in it."""
+    faces = list(faces)
+    edges = {(a, b) for face in faces for a, b in zip(face, face[1:] + face[:1])}
+    beside = {}
+    used = set()
+    for f, face in enumerate(faces):
+        for k in range(3):
+            a, b, c = face[k], face[(k + 1) % 3], face[(k + 2) % 3]
+            if (b, a) not in beside:
+                beside[a, b] = f, c
+                continue
+            g, d = beside[b, a]
+            if f in used or g in used or (c, d) in edges or (d, c) in edges:
+                continue
+            new = (c, d, b), (d, c, a)
+            if all(alike(vertices, n, o, 0.95) for n in new for o in (face, faces[g])):
+                faces[f], faces[g] = new
+                edges |= {(c, d), (d, c)}
+                used |= {f, g}
+                break
+    return vertices, faces, list(range(len(vertices)))
+
+
 def main(benchmark, out):
     os.makedirs(out, exist_ok=True)
     with open(os.path.join(benchmark, "pairs.csv")) as listed:
         rows = [row for row in csv.DictReader(listed) if row["family"] in FAMILIES]
-    for name, remesh in (("thrice", thrice), ("third", third)):
+    for name, remesh in (("thrice", thrice), ("third", third), ("turned", turned)):
         made = {}
         with open(os.path.join(out, name + ".csv"), "w", newline="") as listed:
             table = csv.DictWriter(listed, list(rows[0].keys()))
