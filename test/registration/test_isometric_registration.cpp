@@ -578,6 +578,22 @@ TEST(IsometricRegistration, badDataAreRefusedInALine) {
   EXPECT_THAT(refusal(registration), StartsWith("source "));
 }
 
+TEST(IsometricRegistration, aVertexFarOutDoesNotTurnTheFinalTransformation) {
+  const Registered& r = registered();
+  const auto spiky = pcl::make_shared<Cloud>(*r.source);
+  (*spiky)[100].x += 1e4f;
+  Registration registration;
+  registration.setSourceMesh(spiky, test::toPolygons(r.source_body.mesh.faces));
+  registration.setTargetMesh(r.target, test::toPolygons(r.target_body.mesh.faces));
+  Cloud output;
+  registration.align(output);
+  EXPECT_TRUE(registration.hasConverged());
+  const Eigen::Matrix4f motion = registration.getFinalTransformation();
+  Registration without = copyOfRegistered();
+  EXPECT_LT((motion - without.getFinalTransformation()).cwiseAbs().maxCoeff(), r.edge());
+  EXPECT_LT(squaredDistance(output[100], r.output[100]), 4 * r.edge() * r.edge());
+}
+
 TEST(IsometricRegistration, polygonsThatDoNotFitAreRefusedInALine) {
   const Registered& r = registered();
   std::vector<pcl::Vertices> polygons = test::toPolygons(r.source_body.mesh.faces);

@@ -132,8 +132,8 @@ void addMatches(const CloudSide& source, const CloudSide& target, RegisteredClou
 }
 
 /// Umeyama 1991, without the scale.
-Eigen::Isometry3d bestRigidMotion(const CloudSide& source,
-                                  const CloudSide& target,
+Eigen::Isometry3d bestRigidMotion(const Points& source,
+                                  const Points& target,
                                   const Correspondence& correspondence) {
   std::vector<int> from, to;
   for (std::size_t i = 0; i < correspondence.on_target.size(); ++i)
@@ -143,10 +143,17 @@ Eigen::Isometry3d bestRigidMotion(const CloudSide& source,
     }
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   if (!from.empty())
-    motion.matrix() = Eigen::umeyama(Matrix(source.cloud.points(from, Eigen::all).transpose()),
-                                     Matrix(target.cloud.points(to, Eigen::all).transpose()),
+    motion.matrix() = Eigen::umeyama(Matrix(source(from, Eigen::all).transpose()),
+                                     Matrix(target(to, Eigen::all).transpose()),
                                      false);
   return motion;
+}
+
+/// As it was registered.
+TriangleMesh denoisedMesh(const Shape& shape) {
+  TriangleMesh mesh{shape.cloud.points, shape.faces};
+  if (mesh.faces.rows() > 0) denoise(mesh);
+  return mesh;
 }
 
 RegisteredClouds registered(const CloudSide& source,
@@ -156,17 +163,14 @@ RegisteredClouds registered(const CloudSide& source,
   RegisteredClouds clouds;
   clouds.result = registerShapes(from.shape, to.shape, options);
   RegistrationResult& result = clouds.result;
-  if (result.source_scan) {
-    clouds.surface = {result.source_scan->mesh, result.surface_deformed};
-  } else {
-    TriangleMesh rest{from.shape.cloud.points, from.shape.faces};
-    denoise(rest);
-    clouds.surface = joinedSurface(rest, result.deformed);
-  }
+  const TriangleMesh rest = denoisedMesh(from.shape), goal = denoisedMesh(to.shape);
+  clouds.T_target_source = bestRigidMotion(rest.vertices, goal.vertices, result.correspondence);
+  clouds.surface = result.source_scan
+                       ? DeformedSurface{result.source_scan->mesh, result.surface_deformed}
+                       : joinedSurface(rest, result.deformed);
   clouds.normals = turnedNormals(clouds.surface, source.cloud);
   referToSides(from, to, source.cloud.points, result);
   addMatches(source, target, clouds);
-  clouds.T_target_source = bestRigidMotion(source, target, result.correspondence);
   return clouds;
 }
 
