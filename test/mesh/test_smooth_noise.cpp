@@ -61,6 +61,17 @@ TEST(SmoothNoise, keepsRims) {
   }
 }
 
+TEST(SmoothNoise, keepsSmallHolesOpen) {
+  const TriangleMesh whole = test::sphere(4);
+  TriangleMesh mesh = noisy(whole, 0.3);
+  const Eigen::RowVector3i missing = mesh.faces.row(0);
+  mesh.faces = Faces(mesh.faces.bottomRows(mesh.faces.rows() - 1));
+  EXPECT_GE(smoothNoise(mesh), 1);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_GT((mesh.vertices.row(missing[k]) - mesh.vertices.row(missing[(k + 1) % 3])).norm(),
+              0.5 * meanEdgeLength(whole));
+}
+
 TEST(SmoothNoise, doesNotDependOnWhichWayFacesAreTurned) {
   TriangleMesh mesh = noisy(test::sphere(3), 0.3), turned = mesh;
   for (int f = 0; f < turned.faces.rows(); f += 2)
@@ -75,11 +86,7 @@ TEST(SmoothNoise, ofFacetsThatShareNoVertices) {
   EXPECT_LT((test::soup(mesh).vertices - loose.vertices).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(SmoothNoise, comesToAnEndOnWhatIsNoSurface) {
-  TriangleMesh mesh = test::sphere(3);
-  mesh.vertices = test::randomPoints(static_cast<int>(mesh.vertices.rows()), 2);
-  smoothNoise(mesh);
-  EXPECT_TRUE(mesh.vertices.allFinite());
+TEST(SmoothNoise, leavesWhatIsNoSurface) {
   TriangleMesh none{Points(0, 3), Faces(0, 3)};
   EXPECT_EQ(smoothNoise(none), 0);
   TriangleMesh flat = test::grid(5, 5, 1, 1);
