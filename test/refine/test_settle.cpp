@@ -147,6 +147,7 @@ TEST(Settle, leavesARigidMotionAsItIs) {
   EXPECT_EQ(pair.maps.backward, same);
   EXPECT_LT(meanGap(pair.bent_a, b.mesh.vertices), 1e-9);
   EXPECT_LT(meanGap(pair.bent_b, a.mesh.vertices), 1e-9);
+  polish(a, b, 100, 3, pair);
   anneal(a, b, 100, pair);
   EXPECT_EQ(pair.maps.forward, same);
   EXPECT_EQ(pair.maps.backward, same);
@@ -167,6 +168,22 @@ TEST(Anneal, bringsPlacesHomeThatSettlingLeavesOnTheirWay) {
               0.7 * meanGap(settled.bent_a, poses.b.mesh.vertices));
     EXPECT_LT(meanGap(annealed.bent_b, poses.a.mesh.vertices),
               0.7 * meanGap(settled.bent_b, poses.a.mesh.vertices));
+  }
+}
+
+TEST(Polish, comesFartherThanSettlingInAsManyRounds) {
+  for (BodyKind kind : {BodyKind::HUMAN, BodyKind::QUADRUPED}) {
+    const test::Poses& poses = test::poses(kind);
+    const double softness = softnessOf(poses.b);
+    BentPair settled = startFrom(poses.a, poses.b, test::perturbed(poses, 1, 1));
+    settle(poses.a, poses.b, softness, 5, settled);
+    BentPair polished = settled;
+    settle(poses.a, poses.b, softness, 10, settled);
+    polish(poses.a, poses.b, softness, 10, polished);
+    EXPECT_LT(meanGap(polished.bent_a, poses.b.mesh.vertices),
+              0.9 * meanGap(settled.bent_a, poses.b.mesh.vertices));
+    EXPECT_LT(meanGap(polished.bent_b, poses.a.mesh.vertices),
+              0.9 * meanGap(settled.bent_b, poses.a.mesh.vertices));
   }
 }
 

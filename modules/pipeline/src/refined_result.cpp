@@ -12,7 +12,7 @@
 namespace posture {
 namespace {
 
-constexpr int FULL_ROUNDS = 5;
+constexpr int FULL_ROUNDS = 20;
 
 /// For places on a side's meshes those on the mesh as it was given.
 class GivenFaces {
@@ -93,7 +93,7 @@ FullMap toFullResolution(const RefinedShape& given_source,
                      target.work,
                      BendableSurface(target.work.mesh),
                      refined.pair);
-  settle(a, b, softness, FULL_ROUNDS, map.pair);
+  polish(a, b, softness, FULL_ROUNDS, map.pair);
   map.places = placesOnFaces(a, b, softness, map.pair);
   map.laid = refined.laid;
   map.without_partner = withoutPartner(a, b, map.pair, map.laid);

@@ -261,6 +261,14 @@ void settle(const BendableSurface& a,
   Settling(a, b, TO_THE_GOAL, pair).run(softness, rounds);
 }
 
+void polish(const BendableSurface& a,
+            const BendableSurface& b,
+            double softness,
+            int rounds,
+            BentPair& pair) {
+  Settling(a, b, FAST, pair).run(softness, rounds);
+}
+
 void anneal(const BendableSurface& a, const BendableSurface& b, double softness, BentPair& pair) {
   Settling settling(a, b, FAST, pair);
   for (double share : ANNEALING) settling.run(share * softness, ROUNDS_OF_A_SHARE);

@@ -27,10 +27,19 @@ void settle(const BendableSurface& a,
             int rounds,
             BentPair& pair);
 
-/// Settles from stiff to soft with long strides (heavy ball method, Polyak 1964): sliding along a
-/// surface, matches go most of the way in the first rounds and the rest of it slowly.
-/// \param softness  nearly that of the end, which yields to pulls 1.8 times as long; see settle().
+/// The same with long strides (heavy ball method, Polyak 1964): sliding along a surface, matches go
+/// most of the way in the first rounds and the rest of it slowly. For maps without grave mistakes,
+/// which settle() mends better.
+/// \param softness  nearly that which surfaces show: they yield to pulls 1.8 times as long.
 /// \throws std::runtime_error  nothing holds a part of a surface; settle() as well
+void polish(const BendableSurface& a,
+            const BendableSurface& b,
+            double softness,
+            int rounds,
+            BentPair& pair);
+
+/// Polishes from stiff to soft.
+/// \param softness  that of the end.
 void anneal(const BendableSurface& a, const BendableSurface& b, double softness, BentPair& pair);
 
 /// What was found on reduced meshes, on the meshes they were reduced from: every vertex moves as
