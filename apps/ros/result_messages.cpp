@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "result_messages.h"
 
-#include <posture/deformation/apply_deformation.h>
-#include <posture/mesh/denoise.h>
+#include <posture/pipeline/deformed_surface.h>
 #include <posture/report/colors.h>
 #include <posture/report/table.h>
 
@@ -82,14 +81,6 @@ void add(DiagnosticStatus& status, const std::string& key, const std::string& va
   entry.key = key;
   entry.value = value;
   status.values.push_back(entry);
-}
-
-/// Of a mesh the one that was registered; of a cloud the surface laid through it.
-DeformedSurface deformedSurface(const Shape& source, const RegistrationResult& result) {
-  if (result.source_scan) return {result.source_scan->mesh, result.surface_deformed};
-  TriangleMesh rest{source.cloud.points, source.faces};
-  denoise(rest);
-  return joinedSurface(rest, result.deformed);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <posture/core/error.h>
 #include <posture/deformation/reduce_mesh.h>
 #include <posture/mesh/edges.h>
+#include <posture/pipeline/deformed_surface.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/synthesis/articulated_body.h>
 
@@ -197,6 +198,17 @@ TEST(RegisterShapes, noiseAndVerticesFarFromTheirNeighboursDoNoHarm) {
       verticesOf(result.correspondence), groundTruth(source, target), result, target.mesh);
   EXPECT_LT(error, 0.03);
   EXPECT_LT(result.deformed.cwiseAbs().maxCoeff(), 2 * target.mesh.vertices.cwiseAbs().maxCoeff());
+
+  // It takes the places the vertices had along with it.
+  Shape given;
+  given.cloud.points = spoilt(source.mesh, 1e6).vertices;
+  given.faces = source.mesh.faces;
+  PointCloud clean;
+  clean.points = source.mesh.vertices;
+  const Points carried = applyDeformation(deformedSurface(given, result), clean).points;
+  const Vector off = (carried - result.deformed).rowwise().norm();
+  EXPECT_LT(off.mean(), 0.5 * result.target.mean_edge_length);
+  EXPECT_LT(off.maxCoeff(), 3 * result.target.mean_edge_length);
 }
 
 TEST(RegisterShapes, holesAreClosedForTheSearchAndHaveNoRow) {

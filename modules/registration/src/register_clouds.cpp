@@ -4,6 +4,7 @@
 #include <posture/core/finite_rows.h>
 #include <posture/mesh/denoise.h>
 #include <posture/mesh/point_index.h>
+#include <posture/pipeline/deformed_surface.h>
 #include <posture/registration/register_clouds.h>
 
 #include <Eigen/Geometry>
@@ -149,11 +150,11 @@ Eigen::Isometry3d bestRigidMotion(const Points& source,
   return motion;
 }
 
-/// As it was registered.
-TriangleMesh denoisedMesh(const Shape& shape) {
+/// The vertices of a mesh as they were registered; the points of a cloud.
+Points denoised(const Shape& shape) {
   TriangleMesh mesh{shape.cloud.points, shape.faces};
   if (mesh.faces.rows() > 0) denoise(mesh);
-  return mesh;
+  return mesh.vertices;
 }
 
 RegisteredClouds registered(const CloudSide& source,
@@ -163,11 +164,9 @@ RegisteredClouds registered(const CloudSide& source,
   RegisteredClouds clouds;
   clouds.result = registerShapes(from.shape, to.shape, options);
   RegistrationResult& result = clouds.result;
-  const TriangleMesh rest = denoisedMesh(from.shape), goal = denoisedMesh(to.shape);
-  clouds.T_target_source = bestRigidMotion(rest.vertices, goal.vertices, result.correspondence);
-  clouds.surface = result.source_scan
-                       ? DeformedSurface{result.source_scan->mesh, result.surface_deformed}
-                       : joinedSurface(rest, result.deformed);
+  clouds.T_target_source =
+      bestRigidMotion(denoised(from.shape), denoised(to.shape), result.correspondence);
+  clouds.surface = deformedSurface(from.shape, result);
   clouds.normals = turnedNormals(clouds.surface, source.cloud);
   referToSides(from, to, source.cloud.points, result);
   addMatches(source, target, clouds);
