@@ -46,12 +46,19 @@ NodeOutputs::NodeOutputs() {
 }
 
 bool NodeOutputs::waitForResult(std::size_t n) const {
+  // Each topic has a connection of its own: what was published first may come last.
   return waitFor([&] {
+    const auto ended =
+        std::count_if(progress.begin(), progress.end(), [](const auto& p) { return p.data == 1; });
+    const auto done =
+        std::count_if(stages.begin(), stages.end(), [](const auto& s) { return s.data == "done"; });
     return std::min({registered.size(),
                      source_colored.size(),
                      target_colored.size(),
                      correspondences.size(),
-                     segments.size()}) >= n;
+                     segments.size(),
+                     static_cast<std::size_t>(ended),
+                     static_cast<std::size_t>(done)}) >= n;
   });
 }
 
