@@ -70,4 +70,24 @@ inline Points joined(const Points& a, const Points& b) {
   return both;
 }
 
+/// Rings of `around` points about the z axis, much farther apart than the points of a ring, as
+/// limbs of coarse meshes have them; both ends closed by a point.
+inline Points coarseLimb(int around, int rings, double radius, double step) {
+  Points points(around * rings + 2, 3);
+  for (int i = 0; i < around * rings; ++i) {
+    const double angle = 2 * M_PI * (i % around + 0.5 * (i / around % 2)) / around;
+    points.row(i) << radius * std::cos(angle), radius * std::sin(angle), step * (i / around);
+  }
+  points.row(around * rings) << 0, 0, -0.4 * radius;
+  points.row(around * rings + 1) << 0, 0, step * (rings - 1) + 0.4 * radius;
+  return points;
+}
+
+/// With a ball beside them: coarse points alone do not tell that they have no noise.
+inline Points withBall(const Points& points) {
+  Points ball = spherePoints(600, 0);
+  ball.col(0).array() += 4;
+  return joined(points, ball);
+}
+
 }  // namespace posture::test

@@ -46,38 +46,27 @@ void expectManifold(const TriangleMesh& mesh) {
 }
 
 Cleanness cleannessOf(const Points& points) {
-  const NeighborTable neighbors = NeighborSearch(points).table(16);
+  const NeighborTable neighbors = NeighborSearch(points).table(24);
   return cleanness(points, neighbors, spacing(points, neighbors));
-}
-
-/// Rings of `around` points about the z axis, much farther apart than the points of a ring, as
-/// limbs of coarse meshes have them; both ends closed by a point.
-Points coarseLimb(int around, int rings, double radius, double step) {
-  Points points(around * rings + 2, 3);
-  for (int i = 0; i < around * rings; ++i) {
-    const double angle = 2 * M_PI * (i % around + 0.5 * (i / around % 2)) / around;
-    points.row(i) << radius * std::cos(angle), radius * std::sin(angle), step * (i / around);
-  }
-  points.row(around * rings) << 0, 0, -0.4 * radius;
-  points.row(around * rings + 1) << 0, 0, step * (rings - 1) + 0.4 * radius;
-  return points;
-}
-
-/// With a ball beside them: coarse points alone do not tell that they have no noise.
-Points withBall(const Points& points) {
-  Points ball = test::spherePoints(600, 0);
-  ball.col(0).array() += 4;
-  return test::joined(points, ball);
 }
 
 TEST(Cleanness, TellsNoiseFromCoarseness) {
   EXPECT_TRUE(cleannessOf(test::spherePoints(3000, 0)).is_clean);
   EXPECT_TRUE(cleannessOf(test::torusPoints(1000, 1, 0.3)).is_clean);
-  EXPECT_TRUE(cleannessOf(withBall(coarseLimb(6, 60, 0.1, 0.15))).is_clean);
+  EXPECT_TRUE(cleannessOf(test::withBall(test::coarseLimb(6, 60, 0.1, 0.15))).is_clean);
   // A spacing of 0.065.
   EXPECT_FALSE(cleannessOf(test::spherePoints(3000, 0.003)).is_clean);
   EXPECT_FALSE(cleannessOf(test::spherePoints(3000, 0.02)).is_clean);
   EXPECT_NEAR(cleannessOf(test::spherePoints(3000, 0.003)).noise, 0.046, 0.01);
+}
+
+TEST(Cleanness, KnowsNoiseThatIsNotEverywhereTheSame) {
+  // 0.02 spacings on one ball, 0.2 on the other.
+  Points beside = test::spherePoints(3000, 0.015, 2);
+  beside.col(0).array() += 4;
+  const Cleanness found = cleannessOf(test::joined(test::spherePoints(3000, 0.0015), beside));
+  EXPECT_LT(found.noise, 0.04);
+  EXPECT_FALSE(found.is_clean);
 }
 
 TEST(CleanPoints, AreAllVerticesOfASphere) {
@@ -106,7 +95,7 @@ TEST(CleanPoints, KeepTheTopologyOfATorus) {
 }
 
 TEST(CleanPoints, MakeALimbOfSixPointsAround) {
-  const Points points = withBall(coarseLimb(6, 60, 0.1, 0.15));
+  const Points points = test::withBall(test::coarseLimb(6, 60, 0.1, 0.15));
   const Found found = find(points);
   ASSERT_TRUE(found.surface);
   const TriangleMesh& mesh = found.surface->mesh;
@@ -125,7 +114,7 @@ TEST(CleanPoints, MakeALimbOfSixPointsAround) {
 
 TEST(CleanPoints, ReachAsFarAlongALimbAsItsPointsLieApart) {
   // The sixteen points nearest to any are of its own ring: a spacing of 0.13 at most, steps of 0.7.
-  const Points points = withBall(coarseLimb(40, 12, 0.25, 0.7));
+  const Points points = test::withBall(test::coarseLimb(40, 12, 0.25, 0.7));
   const Found found = find(points);
   ASSERT_TRUE(found.surface);
   expectManifold(found.surface->mesh);
@@ -172,6 +161,24 @@ TEST(CleanPoints, LeaveTheRimOfAHalfSphereOpen) {
     const Eigen::RowVector3d center = mesh.vertices(mesh.faces.row(f), Eigen::all).colwise().mean();
     EXPECT_GT(center.norm(), 0.97);
   }
+}
+
+TEST(CleanPoints, LeaveOutliersOut) {
+  Rng rng(6);
+  Points wild(150, 3);
+  for (int i = 0; i < wild.size(); ++i) wild.data()[i] = 4 * rng.uniform() - 2;
+  const Found found = find(test::joined(wild, test::spherePoints(3000, 0)));
+  ASSERT_TRUE(found.surface);
+  const TriangleMesh& mesh = found.surface->mesh;
+  EXPECT_EQ(found.summary.components, 1);
+  EXPECT_EQ(eulerCharacteristic(mesh), 2);
+  int on_sphere = 0;
+  for (int v = 0; v < mesh.vertices.rows(); ++v) {
+    const double height = std::abs(mesh.vertices.row(v).norm() - 1);
+    EXPECT_LT(height, 0.4);  // six spacings
+    on_sphere += height < 1e-9 && found.surface->point[v] >= 150;
+  }
+  EXPECT_GE(on_sphere, 2990);
 }
 
 TEST(CleanPoints, AreNotTakenForASurfaceWhereTheyAreNone) {

@@ -12,6 +12,7 @@
 #include "doubts.h"
 #include "inside_cut.h"
 #include "neighbors.h"
+#include "outliers.h"
 #include "poles.h"
 #include "repair.h"
 #include <algorithm>
@@ -21,6 +22,8 @@ namespace {
 
 /// Above, memory would show; and so dense a scan has no thin parts.
 constexpr int MOST_POINTS = 100000;
+
+constexpr int NEIGHBORS = 24;
 
 /// Whether the surface is likely that of the points: nearly all are on it, and it has not the many
 /// handles that come of sheets which cross or run closer together than the points show.
@@ -59,12 +62,21 @@ void separate(PointSurface& surface, int point_count) {
 
 }  // namespace
 
-std::optional<PointSurface> surfaceOfCleanPoints(const Points& points,
-                                                 const OutsideHints& hints,
+std::optional<PointSurface> surfaceOfCleanPoints(const Points& given,
+                                                 const OutsideHints& given_hints,
                                                  ReconstructionSummary& summary) {
+  if (given.rows() > MOST_POINTS) return std::nullopt;
+  const NeighborTable near_given = NeighborSearch(given).table(NEIGHBORS);
+  const std::vector<char> belongs = withoutStrays(given, near_given, spacing(given, near_given));
+  std::vector<int> kept;
+  for (int i = 0; i < given.rows(); ++i)
+    if (belongs[i]) kept.push_back(i);
+  if (kept.empty()) return std::nullopt;
+  const Points points = given(kept, Eigen::all);
+  const OutsideHints hints = rowsOf(given_hints, kept);
+
   const int n = static_cast<int>(points.rows());
-  if (n > MOST_POINTS) return std::nullopt;
-  const NeighborTable neighbors = NeighborSearch(points).table(16);
+  const NeighborTable neighbors = NeighborSearch(points).table(NEIGHBORS);
   const Spacing h = spacing(points, neighbors);
   const Cleanness scatter = cleanness(points, neighbors, h);
   if (!scatter.is_clean) return std::nullopt;
@@ -78,11 +90,11 @@ std::optional<PointSurface> surfaceOfCleanPoints(const Points& points,
   PointSurface surface = cutSurface(points, *tetrahedra, inside, h);
 
   int dropped = 0;
-  std::vector<int> kept;
-  surface.mesh = repaired(std::move(surface.mesh), h.median, kept, dropped);
+  std::vector<int> on_surface;
+  surface.mesh = repaired(std::move(surface.mesh), h.median, on_surface, dropped);
   surface.mesh.faces = withLessCurvature(surface.mesh);
-  for (int& v : kept) v = surface.point[v];
-  surface.point = std::move(kept);
+  for (int& v : on_surface) v = surface.point[v];
+  surface.point = std::move(on_surface);
   if (!isPlausible(surface, n)) return std::nullopt;
 
   const Points vertex_normals = normals(surface.point, Eigen::all);
@@ -95,6 +107,8 @@ std::optional<PointSurface> surfaceOfCleanPoints(const Points& points,
   summary.oriented_by_normals = orientation.by_normals;
   describe(surface.mesh, h.median, summary);
   summary.contacts = possibleContacts(surface.mesh, vertex_normals, h.median);
+  for (int& i : surface.point)
+    if (i >= 0) i = kept[i];
   return surface;
 }
 

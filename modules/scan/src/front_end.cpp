@@ -28,11 +28,6 @@ void requireBreadth(const Points& points) {
   if (!(all.fit().breadth > 1e-6 * extent)) throw InputError("has all its points on one line");
 }
 
-template <class Rows>
-Points rowsOf(const Points& points, const Rows& rows) {
-  return points.rows() > 0 ? Points(points(rows, Eigen::all)) : points;
-}
-
 /// One point a cell, where the surface shows only in the mean of many.
 ScanPoints averaged(const ScanPoints& scan, double side) {
   const Cells cells = averageInCells(scan.points, side);
@@ -59,8 +54,7 @@ ScanPoints filterPoints(const ScanPoints& given,
     if (keep[i]) kept.push_back(i);
   summary.outliers = static_cast<int>(given.points.rows()) - static_cast<int>(kept.size());
   if (kept.empty()) throw InputError("has no points close enough to each other to be a surface");
-  ScanPoints scan{rowsOf(given.points, kept),
-                  {rowsOf(given.hints.directions, kept), given.hints.source}};
+  ScanPoints scan{given.points(kept, Eigen::all), rowsOf(given.hints, kept)};
   requireBreadth(scan.points);
 
   const NoiseScale noise = noiseScale(scan.points, NeighborSearch(scan.points));

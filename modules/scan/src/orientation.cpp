@@ -117,6 +117,11 @@ HintVote vote(const Points& directions, const Points& normals, const std::vector
 
 }  // namespace
 
+OutsideHints rowsOf(const OutsideHints& hints, const std::vector<int>& rows) {
+  if (hints.directions.rows() == 0) return hints;
+  return {hints.directions(rows, Eigen::all), hints.source};
+}
+
 bool looksInward(const Points& points,
                  const Points& normals,
                  const std::vector<int>& part,

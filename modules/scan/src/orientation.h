@@ -4,6 +4,7 @@
 
 #include "neighbors.h"
 #include "spacing.h"
+#include <vector>
 
 namespace posture {
 
@@ -19,6 +20,9 @@ struct OutsideHints {
   Points directions;  ///< n x 3: unit vectors that point outwards, zero where unknown; or 0 x 3
   HintSource source = HintSource::NONE;
 };
+
+/// What they tell of some of the points.
+OutsideHints rowsOf(const OutsideHints& hints, const std::vector<int>& rows);
 
 struct OrientationSummary {
   bool by_sensor = false;

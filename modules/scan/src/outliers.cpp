@@ -6,7 +6,7 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
-#include "local_plane.h"
+#include "local_quadric.h"
 #include <algorithm>
 
 namespace posture {
@@ -66,6 +66,41 @@ std::vector<char> withoutOutliers(const Points& points,
   const int least = std::min(n / 2, std::max(30, n / 500));
   const std::vector<int> sizes = groupSizes(points, neighbors, keep, trusted);
   for (int i = 0; i < n; ++i) keep[i] = keep[i] && sizes[i] >= least;
+  return keep;
+}
+
+std::vector<char> withoutStrays(const Points& points,
+                                const NeighborTable& neighbors,
+                                const Spacing& spacing) {
+  constexpr int NEAR = 12, FRIENDS = 4;
+  // Most vertices of coarse parts have less, outliers among themselves 0.2 and more.
+  constexpr double SMOOTH = 0.1;
+  const int n = static_cast<int>(points.rows());
+  std::vector<char> keep(n, 0);
+  forEach(n, [&](int i) {
+    const int count = neighborCount(neighbors, i);
+    if (count < 3) return;
+    const double third = (points.row(neighbors(i, 2)) - points.row(i)).norm();
+    keep[i] =
+        third <= 5 * spacing.median ||
+        (count >= NEAR && quadricResidual<NEAR>(points, neighbors, i) < SMOOTH * spacing.at[i]);
+  });
+  const auto near = [&](int i) { return neighbors.row(i).head(NEAR); };
+  const auto belongs = [&](int i) {
+    int friends = 0;
+    for (int j : near(i)) friends += j >= 0 && keep[j] && (near(j).array() == i).any();
+    return friends >= FRIENDS;
+  };
+  std::vector<int> waiting;
+  for (int i = 0; i < n; ++i)
+    if (!keep[i]) waiting.push_back(i);
+  for (bool found = true; found;) {
+    const auto taken =
+        std::stable_partition(waiting.begin(), waiting.end(), [&](int i) { return !belongs(i); });
+    found = taken != waiting.end();
+    for (auto i = taken; i != waiting.end(); ++i) keep[*i] = 1;
+    waiting.erase(taken, waiting.end());
+  }
   return keep;
 }
 

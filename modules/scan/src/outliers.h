@@ -16,4 +16,13 @@ std::vector<char> withoutOutliers(const Points& points,
                                   const NeighborTable& neighbors,
                                   const Spacing& spacing);
 
+/// The same for points without noise, which may lie far apart on one part and close on another:
+/// those whose third neighbour is within five spacings or that lie on a smooth surface with their
+/// neighbours, and of the others what belongs to these, because four of the twelve nearest count it
+/// among their own twelve nearest. To an outlier the surface is near, but it is not to the surface.
+/// \pre  a table of twelve neighbours or more.
+std::vector<char> withoutStrays(const Points& points,
+                                const NeighborTable& neighbors,
+                                const Spacing& spacing);
+
 }  // namespace posture
