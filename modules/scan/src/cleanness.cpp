@@ -53,10 +53,12 @@ Cleanness cleanness(const Points& points, const NeighborTable& neighbors, const 
   std::sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) {
     return std::pair(a.around, a.near) < std::pair(b.around, b.near);
   });
-  std::vector<double> grown;
-  for (int s = 0; s < looked_at / 2; ++s) grown.push_back(fits[s].around / fits[s].near);
-  return {noise < NEGLIGIBLE || (noise < LITTLE && !grown.empty() && median(grown) > GROWTH),
-          noise};
+  const auto half = fits.begin() + looked_at / 2;
+  const bool grows =
+      2 * std::count_if(
+              fits.begin(), half, [](const Fit& f) { return f.around > GROWTH * f.near; }) >
+      half - fits.begin();
+  return {noise < NEGLIGIBLE || (noise < LITTLE && grows), noise};
 }
 
 }  // namespace posture
