@@ -11,9 +11,9 @@
 namespace posture {
 
 /// The surface of points that have no noise to speak of, as the vertices of a mesh have none: every
-/// point a vertex where possible, however unevenly they lie. Nothing when the points are noisy, too
-/// many or in a plane, or when what comes out is no surface of theirs. Lengths in the summary,
-/// which is left alone in that case, are in the working frame.
+/// point but outliers a vertex where possible, however unevenly they lie. Nothing when the points
+/// are noisy, too many or in a plane, or when what comes out is no surface of theirs. Lengths in
+/// the summary, which is left alone in that case, are in the working frame.
 std::optional<PointSurface> surfaceOfCleanPoints(const Points& points,
                                                  const OutsideHints& hints,
                                                  ReconstructionSummary& summary);
