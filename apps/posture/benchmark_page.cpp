@@ -221,17 +221,11 @@ std::string fitTable(const std::vector<Json>& results) {
          "mean edge lengths of the target. Stretch: |log| of an edge's length after and before.\n";
 }
 
-/// Whether a stage is one of a further attempt at a pair, see docs/formats.md: few pairs have any.
-bool isOfFurtherAttempt(const std::string& stage) {
-  return stage.rfind("parted ", 0) == 0 || stage.rfind("piece-", 0) == 0;
-}
-
 std::string stageTable(const Json& families) {
   Cells stages;
   for (const Json& f : families)
     for (const auto& stage : f["stages"].items())
-      if (!isOfFurtherAttempt(stage.key()) &&
-          std::find(stages.begin(), stages.end(), stage.key()) == stages.end())
+      if (std::find(stages.begin(), stages.end(), stage.key()) == stages.end())
         stages.push_back(stage.key());
   if (stages.empty()) return {};
   std::vector<Cells> rows;
@@ -245,9 +239,9 @@ std::string stageTable(const Json& families) {
   Cells header{"family"};
   for (const std::string& stage : stages) header.push_back(stage);
   return "\n## Seconds by stage\n\n" + toMarkdown({header, rows}) +
-         "\nMedians over the pairs. Stages of further attempts at a pair, parted or with pieces, "
-         "are in "
-         "results.json.\n";
+         "\nMedians over the pairs, of the first attempt at each; what further attempts took, "
+         "where "
+         "there were any, is in results.json.\n";
 }
 
 }  // namespace

@@ -93,9 +93,14 @@ Json registerAndJudge(const BenchmarkPair& pair, Method method, const PairData& 
   json["rejected"] = static_cast<std::ptrdiff_t>(places.size()) - accepted;
   json["chosen"] = result.chosen < 0 ? Json() : Json(result.chosen);
   json["seconds"] = seconds;
-  Json& stages = json["stages"] = Json::object();
-  for (const StageTiming& t : result.timings)
-    stages[t.stage] = stages.value(t.stage, 0.0) + t.seconds;
+  Json stages = Json::object(), further_attempts = Json::object();
+  for (const StageTiming& t : result.timings) {
+    Json& sums = t.attempt.empty() ? stages : further_attempts;
+    const std::string& name = t.attempt.empty() ? t.stage : t.attempt;
+    sums[name] = sums.value(name, 0.0) + t.seconds;
+  }
+  json["stages"] = stages;
+  json["further_attempts"] = further_attempts;
   json["peak_memory_mib"] = memory;
   json["threads"] = omp_get_max_threads();
   if (!data.truth.empty()) judgeErrors(pair, data, result, json);

@@ -64,7 +64,7 @@ void registerVerb(const RegisterOptions& options, Common& common) {
   registration.surface = options.surface;
   const RegistrationResult result =
       registerFiles(source, target, registration, [&](const StageEvent& event) {
-        bar.show(event.stage, event.progress);
+        bar.show(stageTitle(event.attempt, event.stage), event.progress);
         if (dump) dump->write(event);
       });
   std::optional<ShapeSegments> segments;

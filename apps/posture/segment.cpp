@@ -50,7 +50,8 @@ RegisteredPoses registerPoses(const SegmentOptions& options,
     ShapeFile& pose = files[k];
     RegistrationResult result =
         registerFiles(reference, pose, registration, [&](const StageEvent& event) {
-          bar.show(event.stage, (static_cast<double>(k) + event.progress) / count);
+          bar.show(stageTitle(event.attempt, event.stage),
+                   (static_cast<double>(k) + event.progress) / count);
         });
     if (result.status == Status::UNDECIDED) {
       poses.left_out.emplace_back(pose.path, result.message);

@@ -7,6 +7,7 @@
 
 #include "folder.h"
 #include <cstdio>
+#include <string>
 
 namespace posture::app {
 namespace {
@@ -29,7 +30,9 @@ void StageDump::write(const StageEvent& event) {
   for (const StagePicture& picture : event.pictures()) {
     char number[8];
     std::snprintf(number, sizeof number, "%02d-", stages_);
-    writeMesh(folder_ / (number + picture.name + ".ply"), picture.mesh, colorsOf(picture));
+    std::string name = number;
+    if (!event.attempt.empty()) name += std::string(event.attempt) + '-';
+    writeMesh(folder_ / (name + picture.name + ".ply"), picture.mesh, colorsOf(picture));
   }
 }
 

@@ -121,7 +121,7 @@ void RegistrationNode::registerPair(const Pair& pair) {
   const RegistrationResult result = registerShapes(
       source.shape, target.shape, parameters_.registration, [this](const StageEvent& event) {
         if (pair_.closed() || pair_.outdated()) throw Abandoned();
-        publishProgress(event.stage, event.progress);
+        publishProgress(stageTitle(event.attempt, event.stage), event.progress);
       });
   std::optional<ShapeSegments> segments;
   if (result.status == Status::REGISTERED) segments = segmentShape(source.shape, {result});

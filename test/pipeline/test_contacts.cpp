@@ -210,7 +210,7 @@ TEST(RegisterShapes, KeepsItsResultWhereNothingIsLeftOfTheParted) {
   const TriangleMesh mesh = windings();
   bool is_parted = false;
   const RegistrationResult result = registerShapes(mesh, mesh, {}, [&](const StageEvent& event) {
-    is_parted = is_parted || event.stage == "parted reduction";
+    is_parted = is_parted || (event.attempt == "parted" && event.stage == "reduction");
   });
   EXPECT_TRUE(is_parted);
   EXPECT_EQ(result.source.parted_contacts, 0);
@@ -222,12 +222,13 @@ TEST(RegisterShapes, EndsInEitherAttemptWhereItsObserverSaysSo) {
     using std::runtime_error::runtime_error;
   };
   const TriangleMesh mesh = windings();
-  for (const char* stage : {"reduction", "parted reduction"})
+  for (const char* attempt : {"", "parted"})
     EXPECT_THROW(registerShapes(mesh,
                                 mesh,
                                 {},
                                 [&](const StageEvent& event) {
-                                  if (event.stage == stage) throw Enough(stage);
+                                  if (event.attempt == attempt && event.stage == "reduction")
+                                    throw Enough(attempt);
                                 }),
                  Enough);
 }
@@ -241,18 +242,20 @@ TEST(RegisterShapes, FindsItsWayThoughTheTargetIsGrownTogether) {
         EXPECT_GE(event.progress, progress);
         progress = event.progress;
         if (!event.pictures) {
-          EXPECT_TRUE(stages.emplace(event.stage).second) << event.stage << " twice";
+          const std::string title = stageTitle(event.attempt, event.stage);
+          EXPECT_TRUE(stages.insert(title).second) << title << " twice";
           return;
         }
         for (const StagePicture& picture : event.pictures())
-          EXPECT_TRUE(pictures.insert(picture.name).second) << picture.name << " twice";
+          EXPECT_TRUE(pictures.insert(stageTitle(event.attempt, picture.name)).second)
+              << picture.name << " twice";
       });
   EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
   EXPECT_EQ(result.target.parted_contacts, 1);
   EXPECT_LT(meanError(result, source, target), 0.03);
   EXPECT_LE(progress, 1);
   EXPECT_EQ(stages.count("parted refinement"), 1);
-  EXPECT_EQ(pictures.count("parted-source-samples"), pictures.count("source-samples"));
+  EXPECT_EQ(pictures.count("parted source-canonical-form"), 1);
   EXPECT_EQ(stages.size(), result.timings.size());
 }
 

@@ -32,7 +32,7 @@ inline RegistrationResult sampleResult() {
   result.source.vertices = 4;
   result.source.cleaning.welded_vertices = 6;
   result.target.boundary_edges = 12;
-  result.timings = {{"geodesic", 1.5}, {"embedding", 0.5}};
+  result.timings = {{"", "geodesic", 1.5}, {"", "embedding", 0.5}};
   return result;
 }
 

@@ -20,7 +20,6 @@ RegistrationResult publishedMethod(const GivenShape& source_given,
   clock.stage("geodesic", 0.36, [&] {
     source.landmarks = sampleSide("source", source.mesh);
     target.landmarks = sampleSide("target", target.mesh);
-    return 0;
   });
   const double scale = commonScale(source.landmarks, target.landmarks);
   rescale(source, scale);
@@ -30,7 +29,6 @@ RegistrationResult publishedMethod(const GivenShape& source_given,
   clock.stage("embedding", 0.2, [&] {
     source.form = computeCanonicalForm(source.landmarks);
     target.form = computeCanonicalForm(target.landmarks);
-    return 0;
   });
   clock.show([&] { return formPictures(source, target); });
 
@@ -50,7 +48,6 @@ RegistrationResult publishedMethod(const GivenShape& source_given,
     parallelFor(static_cast<int>(candidates.size()), [&](int k) {
       hypotheses[k] = evaluateCandidate(source, target, candidates[k], consistency[k], threshold);
     });
-    return 0;
   });
   clock.show([&] { return hypothesisPictures(source, target, hypotheses); });
 

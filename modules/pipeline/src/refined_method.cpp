@@ -90,20 +90,17 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
       if (side == 0) reduceSide(vertexCount(target_given, target), source);
       if (side == 1) reduceSide(vertexCount(source_given, source), target);
     });
-    return 0;
   });
 
   // The smoothest functions on each surface, which do not change when it bends.
   clock.stage("spectrum", 0.09, [&] {
     parallelFor(2, [&](int side) { addSpectrum(side == 0 ? source : target); });
-    return 0;
   });
 
   // Geodesic distances between samples, and their canonical forms (the paper's section 4.1).
   clock.stage("geodesic", 0.09, [&] {
     addSamples(source);
     addSamples(target);
-    return 0;
   });
   clock.show([&] { return samplePictures(source, target); });
 
@@ -138,7 +135,6 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
                  registerFinalists(
                      source_coarse, target_coarse, source.samples, target.samples, tip_maps));
       bendFurther(source_coarse, target_coarse, finalists);
-      return 0;
     });
 
   // Spectra and scale go astray where much is missing; surfaces laid over each other do not.
@@ -217,7 +213,6 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
                                         source_pose.into(source_given.input.vertices)));
     placeLoosePieces(source_given, target_given, result);
     giveVerdict(result);
-    return 0;
   });
   if (options.both_ways)
     clock.stage("way back", 0.0, [&] {
@@ -225,7 +220,6 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
                             {target_given, target, target_pose},
                             full,
                             result);
-      return 0;
     });
   if (options.refine_alternatives)
     clock.stage("alternatives", 0.0, [&] {
@@ -244,7 +238,6 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
                                                 toFullResolution(source, target, map),
                                                 result.trust * likelihood);
       }
-      return 0;
     });
   return result;
 }

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/core/error.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/refine/map_score.h>
 
@@ -15,7 +14,7 @@
 #include "stage_clock.h"
 #include "verdict.h"
 #include <algorithm>
-#include <stdexcept>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,25 +47,21 @@ RegistrationResult registerWhole(const GivenShape& source,
                      partedSurface(target.input, target.clean));
   });
   const bool parted = source_parted.contacts > 0 || target_parted.contacts > 0;
-  RegistrationResult result = clock.attempt("", parted ? portion / 2 : portion, [&] {
+  RegistrationResult result = clock.firstAttempt(parted ? portion / 2 : portion, [&] {
     return refinedMethod(source, target, options, clock);
   });
   if (!parted) return result;
-  try {
-    RegistrationResult other = clock.attempt(
-        "parted", portion / 2, [&, &a = source_parted.clean, &b = target_parted.clean] {
-          return refinedMethod({source.input, a, source.patch_vertices},
-                               {target.input, b, target.patch_vertices},
-                               options,
-                               clock);
-        });
-    other.source.parted_contacts = source_parted.contacts;
-    other.target.parted_contacts = target_parted.contacts;
-    if (other.score <= result.score - SCORE_NOISE) return other;
-  } catch (const std::runtime_error&) {  // too little is left to work on
-    if (clock.isStopped()) throw;
-  }
-  return result;
+  std::optional<RegistrationResult> other = clock.tryAttempt(
+      "parted", portion / 2, [&, &a = source_parted.clean, &b = target_parted.clean] {
+        return refinedMethod({source.input, a, source.patch_vertices},
+                             {target.input, b, target.patch_vertices},
+                             options,
+                             clock);
+      });
+  if (!other || other->score > result.score - SCORE_NOISE) return result;
+  other->source.parted_contacts = source_parted.contacts;
+  other->target.parted_contacts = target_parted.contacts;
+  return std::move(*other);
 }
 
 /// The same, and where there are holes to speak of once more with those closed that may be.
@@ -82,21 +77,18 @@ RegistrationResult registerPatched(const GivenShape& source,
   const bool matters = std::max(source_patched.rims, target_patched.rims) > MANY_RIMS;
   RegistrationResult result = registerWhole(source, target, options, matters ? 0.5 : 1, clock);
   if (!matters) return result;
-  try {
-    RegistrationResult patched =
-        clock.attempt("patched", 0.5, [&, &a = source_patched, &b = target_patched] {
-          return refinedMethod(a.given(), b.given(), options, clock);
-        });
-    leaveOutPatches(source, source_patched, target, target_patched, patched);
-    if (result.chosen >= 0 && patched.chosen >= 0 && isSameAnswer(result, patched, target.input))
-      return withPatchedMap(std::move(result), std::move(patched));
-    std::vector<RegistrationResult> attempts;
-    attempts.push_back(std::move(result));
-    attempts.push_back(std::move(patched));
-    return bestAttempt(std::move(attempts), target.input, options);
-  } catch (const InputError&) {  // the surface as it is was enough to work on
-    return result;
-  }
+  std::optional<RegistrationResult> patched =
+      clock.tryAttempt("patched", 0.5, [&, &a = source_patched, &b = target_patched] {
+        return refinedMethod(a.given(), b.given(), options, clock);
+      });
+  if (!patched) return result;
+  leaveOutPatches(source, source_patched, target, target_patched, *patched);
+  if (result.chosen >= 0 && patched->chosen >= 0 && isSameAnswer(result, *patched, target.input))
+    return withPatchedMap(std::move(result), std::move(*patched));
+  std::vector<RegistrationResult> attempts;
+  attempts.push_back(std::move(result));
+  attempts.push_back(std::move(*patched));
+  return bestAttempt(std::move(attempts), target.input, options);
 }
 
 /// For surfaces in pieces: joined where the gaps between them are narrow, they may tell more.
@@ -110,16 +102,13 @@ void addJoinedAttempt(const GivenShape& source,
                      withBridges(target.input, target.clean));
   });
   if (source_joined.pieces == 0 && target_joined.pieces == 0) return;
-  try {
-    RegistrationResult attempt =
-        clock.attempt("joined", 0, [&, &a = source_joined, &b = target_joined] {
-          return refinedMethod(a.given(), b.given(), options, clock);
-        });
-    leaveOutPatches(source, source_joined, target, target_joined, attempt);
-    attempts.push_back(std::move(attempt));
-  } catch (const std::runtime_error&) {  // the main surfaces are still there
-    if (clock.isStopped()) throw;
-  }
+  std::optional<RegistrationResult> joined =
+      clock.tryAttempt("joined", 0, [&, &a = source_joined, &b = target_joined] {
+        return refinedMethod(a.given(), b.given(), options, clock);
+      });
+  if (!joined) return;
+  leaveOutPatches(source, source_joined, target, target_joined, *joined);
+  attempts.push_back(std::move(*joined));
 }
 
 /// What was found on a part of a surface, and all of it otherwise.
@@ -155,17 +144,14 @@ void addPieceAttempts(const GivenShape& source,
   });
   int number = 0;
   for (const auto& [a, b] : pairs) {
-    try {
-      RegistrationResult attempt =
-          clock.attempt("piece-" + std::to_string(++number), 0, [&, &a = a, &b = b] {
-            return refinedMethod({source.input, a}, {target.input, b}, options, clock);
-          });
-      attempt.source = withPart(attempts.front().source, attempt.source);
-      attempt.target = withPart(attempts.front().target, attempt.target);
-      attempts.push_back(std::move(attempt));
-    } catch (const std::runtime_error&) {  // too little to work on
-      if (clock.isStopped()) throw;
-    }
+    std::optional<RegistrationResult> piece =
+        clock.tryAttempt("piece-" + std::to_string(++number), 0, [&, &a = a, &b = b] {
+          return refinedMethod({source.input, a}, {target.input, b}, options, clock);
+        });
+    if (!piece) continue;
+    piece->source = withPart(attempts.front().source, piece->source);
+    piece->target = withPart(attempts.front().target, piece->target);
+    attempts.push_back(std::move(*piece));
   }
 }
 
@@ -228,7 +214,6 @@ RegistrationResult registerShapes(const Shape& source,
   RegistrationResult result = registerSurfaces(source_surface, target_surface, options, clock);
   clock.stage("points", 0.01, [&] {
     referToPoints(source, target, std::move(source_surface), std::move(target_surface), result);
-    return 0;
   });
   result.timings = clock.timings();
   return result;

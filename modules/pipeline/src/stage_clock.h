@@ -7,7 +7,10 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -22,61 +25,77 @@ class StageClock {
   /// run, of clouds too, come to at most 1.
   template <class Work>
   auto stage(const std::string& name, double share, const Work& work) {
-    const std::string full_name = attempt_.empty() ? name : attempt_ + " " + name;
-    tell({full_name, progress_, {}});
+    tell({attempt_, name, progress_, {}});
     const auto start = std::chrono::steady_clock::now();
-    auto result = work();
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    timings_.push_back({full_name, elapsed.count()});
-    progress_ += portion_ * share;
-    return result;
+    const auto end = [&] {
+      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+      timings_.push_back({attempt_, name, elapsed.count()});
+      progress_ += portion_ * share;
+    };
+    if constexpr (std::is_void_v<decltype(work())>) {
+      work();
+      end();
+    } else {
+      auto result = work();
+      end();
+      return result;
+    }
   }
 
   /// Hands the pictures of the stage just run to the observer.
   void show(const std::function<std::vector<StagePicture>()>& pictures) {
-    if (timings_.empty()) return;
-    if (attempt_.empty()) return tell({timings_.back().stage, progress_, pictures});
-    tell({timings_.back().stage, progress_, [&] {
-            std::vector<StagePicture> named = pictures();
-            for (StagePicture& picture : named) picture.name = attempt_ + "-" + picture.name;
-            return named;
-          }});
+    if (!timings_.empty()) tell({attempt_, timings_.back().stage, progress_, pictures});
   }
 
-  /// Runs stages that are one of several attempts at the same: their shares count by `portion`,
-  /// and the names of the attempt, if it has one, and of the stage are said together.
+  /// Runs the first attempt; the shares of its stages count by `portion`.
   template <class Work>
-  auto attempt(const std::string& name, double portion, const Work& work) {
-    struct Scope {
-      StageClock& clock;
-      ~Scope() {
-        clock.attempt_.clear();
-        clock.portion_ = 1;
-      }
-    } scope{*this};
-    attempt_ = name;
-    portion_ = portion;
+  auto firstAttempt(double portion, const Work& work) {
+    const Scope scope(*this, "", portion);
     return work();
   }
 
-  /// Whether it was the observer that threw: it wants the run to end.
-  bool isStopped() const { return stopped_; }
+  /// Runs a further attempt, which may find too little to work on: none then.
+  template <class Work>
+  auto tryAttempt(const std::string& name, double portion, const Work& work)
+      -> std::optional<decltype(work())> {
+    const Scope scope(*this, name, portion);
+    try {
+      return work();
+    } catch (const std::runtime_error&) {
+      if (is_observer_speaking_) throw;  // it was the observer: it wants the run to end
+      return std::nullopt;
+    }
+  }
 
   const std::vector<StageTiming>& timings() const { return timings_; }
 
  private:
+  struct Scope {
+    Scope(StageClock& clock_in, const std::string& name, double portion) : clock(clock_in) {
+      clock.attempt_ = name;
+      clock.portion_ = portion;
+    }
+    ~Scope() {
+      clock.attempt_.clear();
+      clock.portion_ = 1;
+    }
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+    StageClock& clock;
+  };
+
   void tell(const StageEvent& event) {
     if (!observer_) return;
-    stopped_ = true;
+    is_observer_speaking_ = true;  // still so after it threw
     observer_(event);
-    stopped_ = false;
+    is_observer_speaking_ = false;
   }
 
   const Observer& observer_;
   std::vector<StageTiming> timings_;
   std::string attempt_;
   double progress_ = 0, portion_ = 1;
-  bool stopped_ = false;
+  bool is_observer_speaking_ = false;
 };
 
 }  // namespace posture

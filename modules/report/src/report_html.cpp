@@ -210,7 +210,7 @@ std::string thisRun(const RegistrationResult& result, const RunDescription& run)
     const double width = longest > 0 ? 100 * timing.seconds / longest : 0;
     content += element(
         "tr",
-        row({timing.stage, formatFixed(timing.seconds, 2) + " s"}) +
+        row({stageTitle(timing.attempt, timing.stage), formatFixed(timing.seconds, 2) + " s"}) +
             element("td class=\"wide\"",
                     "<span class=\"bar\" style=\"width:" + formatFixed(width, 1) + "%\"></span>"));
   }

@@ -161,7 +161,9 @@ Json pairs(const std::vector<std::pair<std::string, std::string>>& entries) {
 Json describeRun(const RegistrationResult& result, const RunDescription& run) {
   Json stages = Json::array();
   for (const StageTiming& timing : result.timings)
-    stages.push_back({{"stage", timing.stage}, {"seconds", number(timing.seconds)}});
+    stages.push_back({{"attempt", timing.attempt},
+                      {"stage", timing.stage},
+                      {"seconds", number(timing.seconds)}});
   return {{"note", "differs from run to run; nothing else in this file does"},
           {"seconds", number(run.seconds)},
           {"stages", stages},

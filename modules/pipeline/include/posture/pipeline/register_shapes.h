@@ -37,6 +37,7 @@ enum class Status {
 };
 
 struct StageTiming {
+  std::string attempt;  ///< as in StageEvent
   std::string stage;
   double seconds = 0;
 };
