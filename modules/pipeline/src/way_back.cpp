@@ -56,15 +56,16 @@ void measureMiss(const GivenShape& source,
 }
 
 WayBack wayBack(const PosedSide& source,
+                const RefinedShape& scaled,
                 const PosedSide& target,
                 const FullMap& there,
                 const RegistrationResult& result) {
-  const FullMap map = reversed(source.shape, target.shape, there);
+  const FullMap map = reversed(scaled, target.shape, there);
   RegistrationResult back;
   back.scale = 1 / result.scale;
   back.trust = result.trust;
   back.correspondence =
-      correspondenceOf(target.given, target.shape, source.given, source.shape, map, result.trust);
+      correspondenceOf(target.given, target.shape, source.given, scaled, map, result.trust);
   back.deformed = source.pose.outOf(placesOfInput(target.given,
                                                   target.shape.full,
                                                   std::vector<char>(map.places.size(), 1),

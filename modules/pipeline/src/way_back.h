@@ -2,23 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "given_shape.h"
-#include "pose.h"
+#include "posed_side.h"
 #include "refined_result.h"
-#include "refined_shape.h"
 
 namespace posture {
 
-/// A side with its working meshes, and how these lie to it as given.
-struct PosedSide {
-  const GivenShape& given;
-  RefinedShape shape;  ///< the source's scaled to the target
-  const Pose& pose;
-};
-
 /// The other direction of a full map, in terms of the vertices and faces as they were given.
+/// \param scaled  the source's meshes at the scale of the map.
 /// \param result  of the way there: correspondence, scale and trust are set.
 WayBack wayBack(const PosedSide& source,
+                const RefinedShape& scaled,
                 const PosedSide& target,
                 const FullMap& there,
                 const RegistrationResult& result);
