@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
+#include <cmath>
+#include <limits>
+#include <stdexcept>
 
 namespace posture {
 namespace {
@@ -193,6 +196,19 @@ TEST(CleanMesh, refusesMeshesWithoutSurface) {
     TriangleMesh strip = test::grid(9, 1, 1, 1e-3);
     strip.vertices *= unit;
     EXPECT_NO_THROW(cleanMesh(strip)) << unit;
+  }
+}
+
+TEST(CleanMesh, refusesWhatIsNoMesh) {
+  for (const int corner : {-1, 1000000}) {
+    TriangleMesh mesh = test::sphere(1);
+    mesh.faces(3, 1) = corner;
+    EXPECT_THROW(cleanMesh(mesh), std::invalid_argument) << corner;
+  }
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    TriangleMesh mesh = test::sphere(1);
+    mesh.vertices(5, 2) = bad;
+    EXPECT_THROW(cleanMesh(mesh), std::invalid_argument) << bad;
   }
 }
 

@@ -12,6 +12,7 @@
 
 #include "support/shapes.h"
 #include <algorithm>
+#include <limits>
 #include <omp.h>
 #include <set>
 
@@ -343,6 +344,16 @@ TEST(RegisterShapes, isTheSameWithAnyNumberOfThreads) {
   ASSERT_EQ(one.alternatives.size(), three.alternatives.size());
   for (std::size_t k = 0; k < one.alternatives.size(); ++k)
     EXPECT_EQ(one.alternatives[k].score, three.alternatives[k].score);
+}
+
+TEST(RegisterShapes, refusesWhatIsNoMesh) {
+  TriangleMesh no_corner = test::sphere(2), not_finite = test::sphere(2);
+  no_corner.faces(0, 2) = static_cast<int>(no_corner.vertices.rows());
+  not_finite.vertices(0, 1) = std::numeric_limits<double>::quiet_NaN();
+  for (const TriangleMesh& bad : {no_corner, not_finite}) {
+    EXPECT_THROW(registerShapes(bad, test::sphere(2)), std::invalid_argument);
+    EXPECT_THROW(registerShapes(test::sphere(2), bad), std::invalid_argument);
+  }
 }
 
 TEST(RegisterShapes, tellsItsObserverOfEveryStageInOrder) {

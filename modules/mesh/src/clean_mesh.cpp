@@ -5,6 +5,7 @@
 #include <posture/mesh/connected_parts.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/point_index.h>
+#include <posture/mesh/require_mesh.h>
 
 #include <Eigen/Geometry>
 
@@ -173,6 +174,7 @@ void attachLooseVertices(const Points& vertices, CleanMesh& clean) {
 CleanMesh cleanMesh(const TriangleMesh& input) {
   const int n = static_cast<int>(input.vertices.rows());
   if (input.faces.rows() == 0) throw InputError("has no faces");
+  requireMesh(input);
   CleanMesh clean;
   CleaningSummary& summary = clean.summary;
   const std::vector<int> representative = weld(input.vertices);

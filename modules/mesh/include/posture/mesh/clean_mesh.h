@@ -41,7 +41,8 @@ struct CleanMesh {
 /// Welds vertices at the same place, drops degenerate and repeated faces, orients faces alike
 /// (outwards where the surface encloses a volume), keeps the main surface. Edges with more than two
 /// faces stay: geodesics run across them; cutNonManifold() separates them where a stage needs it.
-/// \throws InputError  no face is left, or none with an area.
+/// \throws InputError  no face is left, or none with an area; std::invalid_argument  as
+/// requireMesh().
 CleanMesh cleanMesh(const TriangleMesh& input);
 
 }  // namespace posture

@@ -123,7 +123,7 @@ struct RegistrationResult {
 
 /// Finds the dense correspondence of two meshes.
 /// \throws InputError  one of the meshes has no surface to work on; the message begins with its
-/// side, "source" or "target".
+/// side, "source" or "target"; std::invalid_argument  as requireMesh().
 RegistrationResult registerShapes(const TriangleMesh& source,
                                   const TriangleMesh& target,
                                   const RegistrationOptions& options = {},
