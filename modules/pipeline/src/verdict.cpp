@@ -12,11 +12,11 @@ namespace posture {
 namespace {
 
 /// Mean consistency of distances under the chosen candidate, below which two shapes are not taken
-/// for one body: docs/decisions.md has the measurements it lies between.
+/// for one body: docs/decisions/published.md has the measurements it lies between.
 constexpr double LEAST_CONSISTENCY = 0.855;
 
 /// The score of a map where same and different bodies are equally likely, and how fast that turns:
-/// docs/decisions.md has the measurements.
+/// docs/decisions/trust.md has the measurements.
 constexpr double EVEN_SCORE = -8.7, SCORE_WIDTH = 0.3;
 
 /// Below it the answer is called undecided.

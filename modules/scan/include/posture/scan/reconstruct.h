@@ -11,7 +11,7 @@
 namespace posture {
 
 /// How the surface is laid through the points. The first is this project's own; the others are
-/// PCL's, with parameters derived from the spacing. See docs/decisions.md, "Points to mesh".
+/// PCL's, with parameters derived from the spacing. See docs/decisions/reconstruction.md.
 enum class SurfaceMethod {
   /// Own: smoothing, then Delaunay stars in the tangent planes; for points without noise, as the
   /// vertices of a mesh are, the boundary between the inside and the outside of their tetrahedra.
