@@ -112,7 +112,7 @@ struct RegistrationResult {
   int chosen = -1;                               ///< index into hypotheses or alternatives
   double consistency_threshold = 0;              ///< PAPER: c0 of section 4.2
   double score = 0;                              ///< REFINED: of the final map
-  double trust = 0;  ///< REFINED, in [0, 1]: how likely the map is right, see docs/decisions/trust.md
+  double trust = 0;  ///< REFINED, 0 to 1: how likely the map is right, see docs/decisions/trust.md
   double scale = 1;  ///< a source length times this is a target length
   ShapeSummary source, target;  ///< of the meshes, given or laid through the points
   /// Where a side was a point cloud: the surface laid through it, which faces refer to.
