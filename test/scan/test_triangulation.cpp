@@ -18,7 +18,7 @@ OrientedPoints upward(const Points& points) {
   return oriented;
 }
 
-std::vector<Candidate> candidatesOf(const OrientedPoints& oriented) {
+std::vector<TangentTriangle> candidatesOf(const OrientedPoints& oriented) {
   const NeighborSearch search(oriented.points);
   const NeighborTable neighbors = search.table(32);
   return tangentDelaunay(oriented, search, neighbors, spacing(oriented.points, neighbors));
@@ -38,7 +38,7 @@ std::pair<Eigen::Vector2d, double> circumcircle(const Points& p, const std::arra
 TEST(TangentDelaunay, IsThePlanesOwnTriangulationInThePlane) {
   const OrientedPoints plane = upward(test::planePoints(400, 0));
   int looked_at = 0;
-  for (const Candidate& c : candidatesOf(plane)) {
+  for (const TangentTriangle& c : candidatesOf(plane)) {
     const auto [center, radius] = circumcircle(plane.points, c.corners);
     // At the border, points that would refuse a large circle are out of reach.
     if (radius > 0.1) continue;
@@ -53,7 +53,7 @@ TEST(TangentDelaunay, AllCornersAgreeOnALattice) {
   Points lattice(400, 3);
   for (int i = 0; i < 400; ++i) lattice.row(i) << i % 20, i / 20, 0;
   const OrientedPoints plane = upward(lattice);
-  const std::vector<Candidate> candidates = candidatesOf(plane);
+  const std::vector<TangentTriangle> candidates = candidatesOf(plane);
   const Faces faces = agreeingFaces(plane, candidates);
   double area = 0;
   for (int f = 0; f < faces.rows(); ++f) {

@@ -30,11 +30,11 @@ struct Wedge {
 /// Accepted triangles, by corners.
 class Fans {
  public:
-  Fans(const OrientedPoints& oriented, const std::vector<Candidate>& candidates)
+  Fans(const OrientedPoints& oriented, const std::vector<TangentTriangle>& candidates)
       : points_(oriented.points), normals_(oriented.normals) {
     const int n = static_cast<int>(points_.rows());
     first_.assign(n + 1, 0);
-    for (const Candidate& c : candidates)
+    for (const TangentTriangle& c : candidates)
       for (int v : c.corners) ++first_[v + 1];
     for (int v = 0; v < n; ++v) first_[v + 1] += first_[v];
     last_.assign(first_.begin(), first_.end() - 1);
@@ -103,7 +103,7 @@ class Fans {
 
 }  // namespace
 
-Faces agreeingFaces(const OrientedPoints& oriented, std::vector<Candidate> candidates) {
+Faces agreeingFaces(const OrientedPoints& oriented, std::vector<TangentTriangle> candidates) {
   const int count = static_cast<int>(candidates.size());
   struct Ranked {
     int votes;

@@ -8,6 +8,6 @@ namespace posture {
 
 /// Candidates that go together, those of three votes first, then small ones: no edge is used twice
 /// in a direction, no two triangles fold over at an edge or overlap around a corner.
-Faces agreeingFaces(const OrientedPoints& oriented, std::vector<Candidate> candidates);
+Faces agreeingFaces(const OrientedPoints& oriented, std::vector<TangentTriangle> candidates);
 
 }  // namespace posture

@@ -130,10 +130,10 @@ class Stars {
 
 }  // namespace
 
-std::vector<Candidate> tangentDelaunay(const OrientedPoints& oriented,
-                                       const NeighborSearch& search,
-                                       const NeighborTable& neighbors,
-                                       const Spacing& spacing) {
+std::vector<TangentTriangle> tangentDelaunay(const OrientedPoints& oriented,
+                                             const NeighborSearch& search,
+                                             const NeighborTable& neighbors,
+                                             const Spacing& spacing) {
   const int n = static_cast<int>(oriented.points.rows());
   const Stars stars(oriented, search, neighbors, spacing);
   constexpr int BLOCK = 1024;
@@ -147,7 +147,7 @@ std::vector<Candidate> tangentDelaunay(const OrientedPoints& oriented,
     triangles = {};
   }
   std::sort(seen.begin(), seen.end());
-  std::vector<Candidate> candidates;
+  std::vector<TangentTriangle> candidates;
   for (std::size_t first = 0, last; first < seen.size(); first = last) {
     for (last = first + 1; last < seen.size() && seen[last] == seen[first];) ++last;
     if (last - first >= 2) candidates.push_back({seen[first], static_cast<int>(last - first)});

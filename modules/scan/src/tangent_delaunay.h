@@ -9,7 +9,7 @@
 namespace posture {
 
 /// A triangle, counter-clockwise seen from outside, its lowest corner first.
-struct Candidate {
+struct TangentTriangle {
   std::array<int, 3> corners;
   int votes;  ///< corners in whose tangent plane it is Delaunay: 2 or 3
 };
@@ -18,9 +18,9 @@ struct Candidate {
 /// (Gopi, Krishnan and Silva 2000; Adamy, Giesen and John 2002), by corners. Edges longer than 1.5
 /// spacings whose ends look at each other across a concave gap are refused as a likely contact of
 /// two parts; no real crease is as long.
-std::vector<Candidate> tangentDelaunay(const OrientedPoints& oriented,
-                                       const NeighborSearch& search,
-                                       const NeighborTable& neighbors,
-                                       const Spacing& spacing);
+std::vector<TangentTriangle> tangentDelaunay(const OrientedPoints& oriented,
+                                             const NeighborSearch& search,
+                                             const NeighborTable& neighbors,
+                                             const Spacing& spacing);
 
 }  // namespace posture
