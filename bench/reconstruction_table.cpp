@@ -4,7 +4,10 @@
 // Table of what reconstruct() makes of the benchmark's scans, of its meshes without their faces and
 // of harder variants: geodesic distances on the reconstruction beside those on the whole shape.
 //
-//   reconstruction_table BENCHMARK [PART OF A CASE'S NAME]... [--method all] [--write DIR]
+//   reconstruction_table BENCHMARK [PART OF A CASE'S NAME]... [--all] [--write DIR]
+//
+// A row a case to stdout; --all: a row for PCL's methods too; --write: the surfaces as PLY files in
+// DIR, which must exist.
 #include <posture/core/rng.h>
 #include <posture/geodesic/fast_marching.h>
 #include <posture/io/mesh_io.h>
