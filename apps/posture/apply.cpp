@@ -5,7 +5,6 @@
 #include <posture/deformation/apply_deformation.h>
 #include <posture/io/mesh_io.h>
 #include <posture/io/shape_io.h>
-#include <posture/mesh/denoise.h>
 
 #include <nlohmann/json.hpp>
 
@@ -39,12 +38,6 @@ struct StoredDeformation {
   std::string doubt;  ///< why the data did not decide; empty: they did
 };
 
-/// Whether the source was not registered just as it was given.
-bool wasDenoised(const Json& report) {
-  const Json done = report.value(Json::json_pointer("/source/denoising"), Json());
-  return done.is_object() && (done.value("spikes", 0) > 0 || done.value("smoothing_rounds", 0) > 0);
-}
-
 /// What a folder that `register` wrote says about its deformation.
 StoredDeformation readDeformation(const fs::path& folder) {
   const fs::path report_path = folder / "report.json";
@@ -60,14 +53,14 @@ StoredDeformation readDeformation(const fs::path& folder) {
   if (report.value("chosen", Json()).is_null())
     throw InputError(report_path.string() + ": has no deformation: " + text("message"));
   const std::string doubt = text("status") == "registered" ? "" : text("message");
-  const bool of_cloud = report["files"].contains("registered_surface.ply");
-  const fs::path rest_path = folder / (of_cloud ? "source_surface.ply" : "source_colored.ply");
-  const fs::path moved_path = folder / (of_cloud ? "registered_surface.ply" : "registered.ply");
-  TriangleMesh rest = readPart(rest_path);
-  const TriangleMesh moved = readPart(moved_path);
+  const auto written = [&](const char* surface, const char* shape) {
+    return folder / (report["files"].contains(surface) ? surface : shape);
+  };
+  const fs::path rest_path = written("source_surface.ply", "source_colored.ply");
+  const fs::path moved_path = written("registered_surface.ply", "registered.ply");
+  const TriangleMesh rest = readPart(rest_path), moved = readPart(moved_path);
   if (rest.vertices.rows() != moved.vertices.rows())
     throw InputError(moved_path.string() + ": does not go with " + rest_path.filename().string());
-  if (wasDenoised(report)) denoise(rest);
   try {
     return {joinedSurface(rest, moved.vertices), doubt};
   } catch (const InputError& error) {

@@ -58,6 +58,8 @@ std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationR
   }
   if (result.source_scan)
     files.emplace_back("registered_surface.ply", "source_surface.ply, moved onto the target");
+  if (result.source_denoised.rows() > 0)
+    files.emplace_back("source_surface.ply", "the source as it was registered, denoised");
   for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
     if (result.alternatives[k].correspondence.on_target.empty()) continue;
     files.emplace_back(alternativeName(k) + ".csv", "correspondence.csv of another answer");
@@ -140,6 +142,8 @@ void writeResultFiles(const fs::path& folder,
   if (result.source_scan)
     writeMesh(folder / "registered_surface.ply",
               {result.surface_deformed, result.source_scan->mesh.faces});
+  if (result.source_denoised.rows() > 0)
+    writeMesh(folder / "source_surface.ply", {result.source_denoised, source.faces});
   for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
     const Correspondence& other = result.alternatives[k].correspondence;
     if (other.on_target.empty()) continue;

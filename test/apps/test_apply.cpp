@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/io/mesh_io.h>
 #include <posture/io/shape_io.h>
+#include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
 #include <posture/synthesis/articulated_body.h>
 
@@ -32,7 +33,7 @@ ArticulatedBody body(int pose) {
   return makeBody(options);
 }
 
-/// A result of register for a mesh, and one for the same body as a cloud.
+/// Results of register for a mesh, for the same body as a cloud, and for a noisy mesh of it.
 class Apply : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -41,7 +42,10 @@ class Apply : public testing::Test {
     writeMesh(at("source.ply"), source);
     writeMesh(at("target.ply"), body(2).mesh);
     writeCloud("cloud.xyz", source.vertices);
-    for (const std::string name : {"source.ply", "cloud.xyz"}) {
+    TriangleMesh noisy = source;
+    noisy.vertices += 0.4 * meanEdgeLength(source) * test::randomPoints(noisy.vertices.rows(), 3);
+    writeMesh(at("noisy.ply"), noisy);
+    for (const std::string name : {"source.ply", "cloud.xyz", "noisy.ply"}) {
       const ProgramRun ended = test::run(
           POSTURE, {"register", at(name), at("target.ply"), "-o", at("of-" + name), "-q"});
       ASSERT_EQ(ended.exit_code, 0) << ended.err;
@@ -73,6 +77,32 @@ TEST_F(Apply, takesTheSourceWhereRegisterTookIt) {
                  registered = readMesh(at("of-source.ply") + "/registered.ply");
   EXPECT_EQ(moved.mesh.faces, registered.mesh.faces);
   EXPECT_EQ(moved.mesh.vertices, registered.mesh.vertices);
+}
+
+TEST_F(Apply, takesANoisySourceFromWhereRegisterHadIt) {
+  const fs::path folder = at("of-noisy.ply");
+  EXPECT_FALSE(fs::exists(fs::path(at("of-source.ply")) / "source_surface.ply"));
+  TriangleMesh rest = readMesh(folder / "source_surface.ply").mesh;
+  const TriangleMesh registered = readMesh(folder / "registered.ply").mesh;
+  EXPECT_NE(rest.vertices, readMesh(at("noisy.ply")).mesh.vertices);
+  const auto movesRest = [&](const std::string& result) {
+    writeMesh(at("rest.ply"), rest);
+    const ProgramRun ended = apply(result, "rest.ply", "rest-moved.ply");
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_EQ(readMesh(at("rest-moved.ply")).mesh.vertices, registered.vertices);
+  };
+  movesRest("of-noisy.ply");
+
+  // The one that is stored, wherever it is: it is not computed again.
+  fs::copy(folder, at("elsewhere"));
+  rest.vertices.rowwise() += Eigen::RowVector3d(7, 8, 9);
+  writeMesh(fs::path(at("elsewhere")) / "source_surface.ply", rest);
+  movesRest("elsewhere");
+
+  fs::remove(fs::path(at("elsewhere")) / "source_surface.ply");
+  const ProgramRun ended = apply("elsewhere", "rest.ply", "never.ply");
+  EXPECT_EQ(ended.exit_code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("source_surface.ply"));
 }
 
 TEST_F(Apply, takesThePointsOfACloudWhereRegisterTookThem) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/deformation/reduce_mesh.h>
+#include <posture/mesh/denoise.h>
 #include <posture/mesh/edges.h>
 #include <posture/pipeline/deformed_surface.h>
 #include <posture/pipeline/register_shapes.h>
@@ -84,6 +85,7 @@ TEST(RegisterShapes, isOnTheRightSideAndExactToAnEdge) {
   const ArticulatedBody source = body(0), target = body(2, 1);
   const RegistrationResult result = registerShapes(source.mesh, target.mesh);
   EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
+  EXPECT_EQ(result.source_denoised.rows() + result.target_denoised.rows(), 0) << "clean meshes";
   const std::vector<VertexPair> truth = groundTruth(source, target);
   const double edge = result.target.mean_edge_length / std::sqrt(result.target.area);
   EXPECT_LT(meanError(verticesOf(result.correspondence), truth, result, target.mesh), edge);
@@ -200,10 +202,14 @@ TEST(RegisterShapes, noiseAndVerticesFarFromTheirNeighboursDoNoHarm) {
   EXPECT_LT(error, 0.03);
   EXPECT_LT(result.deformed.cwiseAbs().maxCoeff(), 2 * target.mesh.vertices.cwiseAbs().maxCoeff());
 
-  // It takes the places the vertices had along with it.
+  // It takes the places the vertices had along with it, from where it was denoised to.
   Shape given;
   given.cloud.points = spoilt(source.mesh, 1e6).vertices;
   given.faces = source.mesh.faces;
+  TriangleMesh denoised{given.cloud.points, given.faces};
+  denoise(denoised);
+  EXPECT_EQ(result.source_denoised, denoised.vertices);
+  EXPECT_EQ(result.target_denoised.rows(), target.mesh.vertices.rows());
   PointCloud clean;
   clean.points = source.mesh.vertices;
   const Points carried = applyDeformation(deformedSurface(given, result), clean).points;

@@ -592,6 +592,9 @@ TEST(IsometricRegistration, aVertexFarOutDoesNotTurnTheFinalTransformation) {
   Registration without = copyOfRegistered();
   EXPECT_LT((motion - without.getFinalTransformation()).cwiseAbs().maxCoeff(), r.edge());
   EXPECT_LT(squaredDistance(output[100], r.output[100]), 4 * r.edge() * r.edge());
+  const Points& denoised = registration.getResult().source_denoised;
+  ASSERT_EQ(denoised.rows(), spiky->size());
+  EXPECT_LT(denoised.cwiseAbs().maxCoeff(), 10) << "where it was registered from";
 }
 
 TEST(IsometricRegistration, polygonsThatDoNotFitAreRefusedInALine) {

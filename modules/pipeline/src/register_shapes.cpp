@@ -174,6 +174,12 @@ RegistrationResult registerMeshes(const GivenShape& source,
   return bestAttempt(std::move(attempts), target.input, options);
 }
 
+/// What cleanSide() did to a mesh before its shape was measured.
+void noteDenoising(const SideSurface& side, ShapeSummary& summary, Points& denoised) {
+  summary.denoising = side.denoising;
+  if (side.denoising.movedAny()) denoised = side.mesh.vertices;
+}
+
 RegistrationResult registerSurfaces(SideSurface& source,
                                     SideSurface& target,
                                     const RegistrationOptions& options,
@@ -184,8 +190,8 @@ RegistrationResult registerSurfaces(SideSurface& source,
   clock.show([&, &a = source_clean, &b = target_clean] { return cleaningPictures(a, b); });
   RegistrationResult result =
       registerMeshes({source.mesh, source_clean}, {target.mesh, target_clean}, options, clock);
-  result.source.denoising = source.denoising;
-  result.target.denoising = target.denoising;
+  noteDenoising(source, result.source, result.source_denoised);
+  noteDenoising(target, result.target, result.target_denoised);
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include <posture/core/error.h>
 #include <posture/pipeline/segment_shape.h>
 
-#include "prepare.h"
 #include <cmath>
 
 namespace posture {
@@ -32,14 +31,16 @@ std::vector<double> residuals(const RigidSegments& parts,
 ShapeSegments segmentShape(const Shape& source, const std::vector<RegistrationResult>& poses) {
   require(!poses.empty(), "segmentShape: no pose");
   const std::optional<ScanSurface>& scan = poses.front().source_scan;
-  SideSurface given{scan ? scan->mesh : TriangleMesh{source.cloud.points, source.faces}, scan, {}};
+  const TriangleMesh rest =
+      scan ? scan->mesh
+           : TriangleMesh{registeredPoints(source, poses.front().source_denoised), source.faces};
   ShapeSegments segments;
-  segments.surface = cleanSide("source", given);
+  segments.surface = cleanMesh(rest);
   const CleanMesh& surface = segments.surface;
   std::vector<Points> places;
   for (const RegistrationResult& pose : poses) {
     const Points& moved = scan ? pose.surface_deformed : pose.deformed;
-    require(moved.rows() == given.mesh.vertices.rows(), "segmentShape: a pose of another source");
+    require(moved.rows() == rest.vertices.rows(), "segmentShape: a pose of another source");
     places.emplace_back(moved(surface.input_vertex, Eigen::all));
   }
   segments.parts = segmentRigidParts(surface.mesh, places);
@@ -51,7 +52,7 @@ ShapeSegments segmentShape(const Shape& source, const std::vector<RegistrationRe
     for (const SurfacePoint& at : scan->on_mesh)
       segments.label.push_back(at.vertex >= 0 ? labelOf(at.vertex) : -1);
   else
-    for (int v = 0; v < given.mesh.vertices.rows(); ++v) segments.label.push_back(labelOf(v));
+    for (int v = 0; v < rest.vertices.rows(); ++v) segments.label.push_back(labelOf(v));
   return segments;
 }
 

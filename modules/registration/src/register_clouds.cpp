@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
-#include <posture/mesh/denoise.h>
 #include <posture/mesh/point_index.h>
 #include <posture/pipeline/deformed_surface.h>
 #include <posture/registration/register_clouds.h>
@@ -97,10 +96,17 @@ std::vector<int> referred(const std::vector<int>& target_vertex, const Part& fro
   return rows;
 }
 
+/// Places of a side's points: of those that took no part, where they were.
+Points referred(const Points& places, const Part& part, Points points) {
+  points(part.row, Eigen::all) = places;
+  return points;
+}
+
 /// Rewrites a result between two parts in terms of the points of the sides.
 void referToSides(const Part& source,
-                  const Part& target,
                   const Points& source_points,
+                  const Part& target,
+                  const Points& target_points,
                   RegistrationResult& result) {
   result.correspondence = referred(result.correspondence, source, target);
   if (result.back)
@@ -112,10 +118,11 @@ void referToSides(const Part& source,
     if (!alternative.correspondence.on_target.empty())
       alternative.correspondence = referred(alternative.correspondence, source, target);
   }
-  Points places = source_points;
-  for (std::size_t i = 0; i < source.row.size(); ++i)
-    places.row(source.row[i]) = result.deformed.row(static_cast<Eigen::Index>(i));
-  result.deformed = std::move(places);
+  result.deformed = referred(result.deformed, source, source_points);
+  if (result.source_denoised.rows() > 0)
+    result.source_denoised = referred(result.source_denoised, source, source_points);
+  if (result.target_denoised.rows() > 0)
+    result.target_denoised = referred(result.target_denoised, target, target_points);
 }
 
 void addMatches(const CloudSide& source, const CloudSide& target, RegisteredClouds& clouds) {
@@ -150,13 +157,6 @@ Eigen::Isometry3d bestRigidMotion(const Points& source,
   return motion;
 }
 
-/// The vertices of a mesh as they were registered; the points of a cloud.
-Points denoised(const Shape& shape) {
-  TriangleMesh mesh{shape.cloud.points, shape.faces};
-  if (mesh.faces.rows() > 0) denoise(mesh);
-  return mesh.vertices;
-}
-
 RegisteredClouds registered(const CloudSide& source,
                             const CloudSide& target,
                             const RegistrationOptions& options) {
@@ -164,11 +164,12 @@ RegisteredClouds registered(const CloudSide& source,
   RegisteredClouds clouds;
   clouds.result = registerShapes(from.shape, to.shape, options);
   RegistrationResult& result = clouds.result;
-  clouds.T_target_source =
-      bestRigidMotion(denoised(from.shape), denoised(to.shape), result.correspondence);
+  clouds.T_target_source = bestRigidMotion(registeredPoints(from.shape, result.source_denoised),
+                                           registeredPoints(to.shape, result.target_denoised),
+                                           result.correspondence);
   clouds.surface = deformedSurface(from.shape, result);
   clouds.normals = turnedNormals(clouds.surface, source.cloud);
-  referToSides(from, to, source.cloud.points, result);
+  referToSides(from, source.cloud.points, to, target.cloud.points, result);
   addMatches(source, target, clouds);
   return clouds;
 }

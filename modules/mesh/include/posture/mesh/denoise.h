@@ -12,6 +12,8 @@ namespace posture {
 struct Denoising {
   int spikes = 0;            ///< as setSpikesBack() returns
   int smoothing_rounds = 0;  ///< as smoothNoise() returns
+
+  bool movedAny() const { return spikes > 0 || smoothing_rounds > 0; }
 };
 
 /// What a mesh goes through before anything else is done with its shape.

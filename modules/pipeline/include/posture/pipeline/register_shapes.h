@@ -115,11 +115,20 @@ struct RegistrationResult {
   double trust = 0;  ///< REFINED, 0 to 1: how likely the map is right, see docs/decisions/trust.md
   double scale = 1;  ///< a source length times this is a target length
   ShapeSummary source, target;  ///< of the meshes, given or laid through the points
+  /// The vertices of a side that was a mesh, as they were registered, where denoising moved any;
+  /// 0 x 3 otherwise.
+  Points source_denoised, target_denoised;
   /// Where a side was a point cloud: the surface laid through it, which faces refer to.
   std::optional<ScanSurface> source_scan, target_scan;
   Points surface_deformed;  ///< the vertices of source_scan's mesh, moved onto the target
   std::vector<StageTiming> timings;
 };
+
+/// The vertices of a mesh as they were registered; the points of a cloud.
+/// \param denoised  of this side, in the result.
+inline const Points& registeredPoints(const Shape& given, const Points& denoised) {
+  return denoised.rows() > 0 ? denoised : given.cloud.points;
+}
 
 /// Finds the dense correspondence of two meshes.
 /// \throws InputError  one of the meshes has no surface to work on; the message begins with its

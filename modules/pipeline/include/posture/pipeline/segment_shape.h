@@ -23,7 +23,7 @@ struct ShapeSegments {
 
 /// Parts that hold over all poses a shape was registered to.
 /// \param poses  registrations with `source` as their source.
-/// \throws InputError  as registerShapes; std::invalid_argument  no pose, or of another source.
+/// \throws InputError  as cleanMesh; std::invalid_argument  no pose, or of another source.
 ShapeSegments segmentShape(const Shape& source, const std::vector<RegistrationResult>& poses);
 
 }  // namespace posture
