@@ -75,7 +75,9 @@ TEST_F(PairList, ColumnsInAnyOrderAndFew) {
 
 TEST_F(PairList, SaysWhatIsWrong) {
   const std::string head = "id,source,target\n";
-  EXPECT_THAT(errorOf(""), HasSubstr("pairs.csv: is empty"));
+  EXPECT_THAT(errorOf(""), HasSubstr("pairs.csv: the file is empty"));
+  EXPECT_THAT(errorOf("\n\n"), HasSubstr("no line but blank ones"));
+  EXPECT_THAT(errorOf(head), HasSubstr("lists no pair"));
   EXPECT_THAT(errorOf("id,source\na,b\n"), HasSubstr("no column 'target'"));
   EXPECT_THAT(errorOf(head + "a,b\n"), HasSubstr("record 1 has 2 fields, the header 3"));
   EXPECT_THAT(errorOf(head + "a,b,c\na,b,c\n"), HasSubstr("used twice"));

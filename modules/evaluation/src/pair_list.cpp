@@ -2,20 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/evaluation/pair_list.h>
+#include <posture/io/text_file.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 namespace posture {
 namespace {
 
 std::string readText(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path))
-    throw InputError(path.string() + ": cannot be read");
-  std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::string text = readTextFile(path);
   if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);  // byte order mark
   return text;
 }
@@ -114,7 +110,7 @@ std::vector<BenchmarkPair> readPairList(const std::filesystem::path& path) {
   std::vector<BenchmarkPair> pairs;
   try {
     const auto records = parseCsv(text);
-    if (records.empty()) throw InputError("is empty");
+    if (records.empty()) throw InputError("has no line but blank ones");
     const std::vector<std::string>& header = records.front();
     for (const char* column : {"id", "source", "target"})
       if (std::find(header.begin(), header.end(), column) == header.end())
@@ -129,6 +125,7 @@ std::vector<BenchmarkPair> readPairList(const std::filesystem::path& path) {
       if (!ids.insert(pairs.back().id).second)
         throw InputError("the id '" + pairs.back().id + "' is used twice");
     }
+    if (pairs.empty()) throw InputError("lists no pair");
   } catch (const InputError& error) {
     throw InputError(path.string() + ": " + error.what());
   }

@@ -23,8 +23,9 @@ std::vector<VertexPair> readTruth(const std::filesystem::path& truth,
   std::vector<VertexPair> pairs;
   if (truth == "identity") {
     if (source_vertices != target_vertices)
-      throw InputError("the truth cannot be the identity: " + std::to_string(source_vertices) +
-                       " source vertices, " + std::to_string(target_vertices) + " on the target");
+      throw InputError(
+          "identity: no truth of shapes numbered alike: " + std::to_string(source_vertices) +
+          " source vertices, " + std::to_string(target_vertices) + " on the target");
     for (int v = 0; v < source_vertices; ++v) pairs.push_back({v, v});
     return pairs;
   }

@@ -28,9 +28,9 @@ struct BenchmarkPair {
 /// perhaps `target_surface,target_surface_vertices` (columns in any order; all but id, source and
 /// target may be left out). Fields may be quoted; paths are
 /// relative to the file's folder.
-/// \throws InputError  cannot be read, a column is missing, a row has too few or too many fields,
-/// an
-///         id is empty, used twice or no file name (letters, digits, '.', '_', '-').
+/// \throws InputError  cannot be read, a column is missing, no pair is listed, a row has too few or
+///         too many fields, an id is empty, used twice or no file name (letters, digits, '.', '_',
+///         '-').
 std::vector<BenchmarkPair> readPairList(const std::filesystem::path& path);
 
 /// The records of a CSV text (RFC 4180: fields quoted where they hold commas, quotes or line
