@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "endings.h"
+#include "common/endings.h"
 #include "folder.h"
 #include "verbs.h"
 #include <cstdio>
@@ -90,7 +90,7 @@ void applyVerb(const ApplyOptions& options, Common& common) {
   if (common.json)
     std::printf("%s\n", Json{{"points", seen}}.dump().c_str());
   else if (!common.quiet)
-    std::printf("%zu points moved\n", seen);
+    std::printf("%zu %s moved\n", seen, seen == 1 ? "point" : "points");
 }
 
 }  // namespace

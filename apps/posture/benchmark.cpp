@@ -6,6 +6,7 @@
 #include "benchmark_report.h"
 #include "child_process.h"
 #include "child_run.h"
+#include "common/in_range.h"
 #include "folder.h"
 #include "pair_data.h"
 #include "pair_selection.h"
@@ -76,8 +77,9 @@ void benchmark(const BenchmarkOptions& options, const Common& common) {
   if (common.json)
     std::cout << summary.dump(1) << '\n';
   else if (!common.quiet)
-    std::printf("%zu pairs: %d registered, %d undecided, %d not run, %d failed; see %s\n",
+    std::printf("%zu %s: %d registered, %d undecided, %d not run, %d failed; see %s\n",
                 results.size(),
+                results.size() == 1 ? "pair" : "pairs",
                 countOf(results, "registered"),
                 countOf(results, "undecided"),
                 countOf(results, "not run"),
@@ -114,7 +116,7 @@ void addBenchmark(CLI::App& app, Common& common) {
   verb->add_flag("--paper", options->paper, "Register as published, as `register --paper` does");
   verb->add_flag("--fresh", options->fresh, "Run again what already has a result");
   verb->add_option("--time-limit", options->time_limit, "Seconds after which a pair has failed")
-      ->check(CLI::PositiveNumber)
+      ->check(inRange(0.001, 1e6))
       ->capture_default_str();
   verb->callback([options, &common] { benchmark(*options, common); });
 

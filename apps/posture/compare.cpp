@@ -4,6 +4,7 @@
 
 #include "child_process.h"
 #include "child_run.h"
+#include "common/in_range.h"
 #include "compare_report.h"
 #include "compare_run.h"
 #include "compare_variation.h"
@@ -43,12 +44,21 @@ bool isAsked(const ComparedRun& run, const CompareOptions& options) {
          isAmong(options.variations, run.variation);
 }
 
+/// A shape alone, whose TARGET was forgotten, is no list.
+std::vector<BenchmarkPair> listOf(const CompareOptions& options) {
+  try {
+    return readPairList(options.source);
+  } catch (const InputError& error) {
+    throw InputError(std::string(error.what()) + "; without TARGET it has to be a list of pairs");
+  }
+}
+
 /// The list, or the pair that is given; its files are read now, not in the last of many runs.
 std::vector<BenchmarkPair> pairsOf(const CompareOptions& options) {
   if (options.target.empty()) {
     if (!options.truth.empty() || !options.mirror_truth.empty())
       throw CLI::ValidationError("--truth and --mirror", "are for SOURCE and TARGET");
-    const std::vector<BenchmarkPair> pairs = readPairList(options.source);
+    const std::vector<BenchmarkPair> pairs = listOf(options);
     options.selection.check(pairs);
     return pairs;
   }
@@ -141,9 +151,11 @@ void addCompare(CLI::App& app, Common& common) {
   verb->add_option("SOURCE", options->source, "Mesh or points; alone: a CSV list of pairs")
       ->required();
   verb->add_option("TARGET", options->target, "The same, in any frame and unit");
-  verb->add_option("--truth", options->truth, "File of `source target` rows, or: identity");
+  CLI::Option* truth =
+      verb->add_option("--truth", options->truth, "File of `source target` rows, or: identity");
   verb->add_option(
-      "--mirror", options->mirror_truth, "As --truth, for the left-right mirrored answer");
+          "--mirror", options->mirror_truth, "As --truth, for the left-right mirrored answer")
+      ->needs(truth);
   verb->add_option("-o,--output", options->folder, "Folder for the results")->required();
   addSelection(*verb, options->selection);
   verb->add_option("--method", options->methods, "Only this method (repeatable)")
@@ -155,7 +167,7 @@ void addCompare(CLI::App& app, Common& common) {
       ->check(CLI::IsMember(variations()));
   verb->add_flag("--fresh", options->fresh, "Run again what already has a result");
   verb->add_option("--time-limit", options->time_limit, "Seconds after which a run has failed")
-      ->check(CLI::PositiveNumber)
+      ->check(inRange(0.001, 1e6))
       ->capture_default_str();
   verb->callback([options, &common] { compare(*options, common); });
 

@@ -135,7 +135,7 @@ void evaluate(const EvaluateOptions& options, const Common& common) {
   if (!options.folder.empty()) writeFigures(options.folder, json);
   if (common.json)
     std::cout << json.dump(1) << '\n';
-  else
+  else if (!common.quiet)
     printFigures(json);
 }
 

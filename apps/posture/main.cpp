@@ -4,12 +4,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include "common/in_range.h"
 #include "verbs.h"
 #include <cstdio>
 #include <exception>
 #include <glog/logging.h>
+#include <limits>
 #include <new>
 #include <omp.h>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -22,8 +26,26 @@ int fail(const char* message, int exit_code) noexcept {
   return exit_code;
 }
 
+/// What is wrong with the arguments, and where to look them up.
+std::string wrongUsage(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> verbs = app.get_subcommands();
+  if (!verbs.empty())
+    return std::string(error.what()) + " (see posture " + verbs.front()->get_name() + " --help)";
+  const std::vector<std::string> unknown = app.remaining();
+  std::string what = error.what();
+  if (!unknown.empty())
+    what = "'" + unknown.front() + "' is neither a verb nor an option";
+  else if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError))
+    what = "a verb is missing";
+  return what + " (see posture --help)";
+}
+
 int run(int argc, char** argv) {
   using namespace posture::app;
+  for (int i = 1; i < argc; ++i)
+    if (*argv[i] == '\0')
+      return fail(("the argument behind '" + std::string(argv[i - 1]) + "' is empty").c_str(),
+                  EXIT_USAGE);
   FLAGS_minloglevel = google::GLOG_FATAL;  // what Ceres thinks of a line search is not for the user
   CLI::App app{
       "Registration of bodies that bend: for every point of one shape, where it is on the other."};
@@ -34,10 +56,13 @@ int run(int argc, char** argv) {
 
   Common common;
   app.add_flag("-q,--quiet", common.quiet, "Say nothing but errors");
-  app.add_flag("--json", common.json, "Print the result as JSON");
+  app.add_flag("--json", common.json, "Print the result on stdout as JSON");
   app.add_option("--threads", common.threads, "Threads to use (default: all processors)")
-      ->check(CLI::Range(1, 1024));
-  app.add_option("--seed", common.seed, "Seed of what is random");
+      ->check(inRange(1, 1024));
+  app.add_option("--seed",
+                 common.seed,
+                 "Seed of what is random: in synthesize and compare; nothing is elsewhere")
+      ->check(inRange(0ul, std::numeric_limits<unsigned long>::max()));
   app.parse_complete_callback([&] {
     if (common.threads > 0) omp_set_num_threads(common.threads);
   });
@@ -50,13 +75,17 @@ int run(int argc, char** argv) {
   addCompare(app, common);
   addSynthesize(app, common);
   addRender(app, common);
+  for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    verb->footer("Also, as all verbs: -q,--quiet, --json, --threads, --seed; see posture --help");
 
   try {
     app.parse(argc, argv);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      return fail("stdout cannot be written", EXIT_INPUT);
     return common.exit_code;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    return fail((std::string(error.what()) + " (see posture --help)").c_str(), EXIT_USAGE);
+    return fail(wrongUsage(app, error).c_str(), EXIT_USAGE);
   }
 }
 

@@ -6,7 +6,7 @@
 #include <posture/report/report_json.h>
 #include <posture/scan/reconstruct.h>
 
-#include "endings.h"
+#include "common/endings.h"
 #include "folder.h"
 #include "result_files.h"
 #include "surface_option.h"
@@ -36,7 +36,12 @@ ScanSurface reconstructFile(const ReconstructOptions& options) {
   }
 }
 
+/// However it is written.
+fs::path placeOf(const fs::path& file) { return fs::weakly_canonical(fs::absolute(file)); }
+
 void reconstructVerb(const ReconstructOptions& options, const Common& common) {
+  if (!options.link.empty() && placeOf(options.link) == placeOf(options.mesh))
+    throw CLI::ValidationError("--link", "is the file of --output");
   checkWritable(options.mesh);  // now, not after the work
   if (!options.link.empty()) checkWritable(options.link);
   const ScanSurface surface = reconstructFile(options);

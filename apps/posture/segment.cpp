@@ -150,8 +150,9 @@ void segmentVerb(const SegmentOptions& options, Common& common) {
   if (common.json)
     std::printf("%s", described.c_str());
   else if (!common.quiet)
-    std::printf("%d parts that move almost rigidly over %zu %s\n",
+    std::printf("%d %s almost rigidly over %zu %s\n",
                 segments.parts.count,
+                segments.parts.count == 1 ? "part that moves" : "parts that move",
                 poses.files.size(),
                 poses.files.size() == 1 ? "pose" : "poses");
 }

@@ -26,12 +26,12 @@ inline std::string nameOf(SurfaceMethod method) {
 
 /// --surface: how a surface is laid through points.
 inline void addSurfaceOption(CLI::App* verb, SurfaceMethod& method) {
-  verb->add_option("--surface",
-                   method,
-                   "How a surface is laid through points: delaunay (the default), mls, poisson or "
-                   "greedy (PCL's, for comparison)")
-      ->transform(
-          CLI::CheckedTransformer(SURFACE_METHODS).description("delaunay, mls, poisson, greedy"));
+  verb->add_option_function<std::string>(
+          "--surface",
+          [&method](const std::string& name) { method = SURFACE_METHODS.at(name); },
+          "How a surface is laid through points: delaunay (the default), mls, poisson or greedy "
+          "(PCL's, for comparison)")
+      ->check(CLI::IsMember(SURFACE_METHODS));
 }
 
 }  // namespace posture::app

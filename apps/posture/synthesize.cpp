@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "common/in_range.h"
 #include "folder.h"
 #include "verbs.h"
 #include <cstdio>
@@ -257,17 +258,17 @@ CLI::Option* addScanOptions(CLI::App& verb, SynthesizeOptions& options) {
   verb.add_option("--views",
                   options.scanner.views,
                   "Depth images merged into a scan; 1: a single one, kept as a grid")
-      ->check(CLI::Range(1, 100))
+      ->check(inRange(1, 100))
       ->capture_default_str()
       ->needs(scan);
   verb.add_option("--points", options.scanner.points, "About so many points in a scan")
-      ->check(CLI::Range(1000, 5'000'000))
+      ->check(inRange(1000, 5'000'000))
       ->capture_default_str()
       ->needs(scan);
   verb.add_option("--scan-noise",
                   options.scanner.noise,
                   "Scales all errors of the cameras; 0: none, 1: a consumer's")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(inRange(0.0, 100.0))
       ->capture_default_str()
       ->needs(scan);
   return scan;
@@ -288,28 +289,28 @@ void addSynthesize(CLI::App& app, Common& common) {
   verb->add_option("--pose",
                    options->poses,
                    "Poses, each paired with the first: 0 rest, 1 to 9 made by hand, others random")
-      ->check(CLI::Range(0, 1'000'000))
+      ->check(inRange(0, 1'000'000))
       ->capture_default_str();
   CLI::Option* const vertices =
       verb->add_option("--vertices", body.vertices, "About so many vertices, before holes are cut")
-          ->check(CLI::Range(1000, 500'000))
+          ->check(inRange(1000, 500'000))
           ->default_str("5000; 20000 with --scan");
   verb->add_option("--tessellation",
                    options->tessellations,
                    "Number of the tessellation, or one number a pose; each is another mesh")
-      ->check(CLI::Range(0, 1'000'000))
+      ->check(inRange(0, 1'000'000))
       ->capture_default_str();
-  verb->add_flag("--remesh", options->remesh, "Mesh each pose anew");
+  CLI::Option* const remesh = verb->add_flag("--remesh", options->remesh, "Mesh each pose anew");
   verb->add_option("--holes", body.holes, "Holes to cut into each shape")
-      ->check(CLI::Range(0, 10'000))
+      ->check(inRange(0, 10'000))
       ->capture_default_str();
   verb->add_option("--hole-radius", body.hole_radius, "Along the surface; the body is about 1 long")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(inRange(0.0, 1.0))
       ->capture_default_str();
   CLI::Option* const noise =
       verb->add_option(
               "--noise", body.noise, "Standard deviation along the normal, in the same unit")
-          ->check(CLI::Range(0.0, 1.0))
+          ->check(inRange(0.0, 1.0))
           ->capture_default_str();
   CLI::Option* const scan = addScanOptions(*verb, *options);
   scan->excludes(noise);
@@ -317,7 +318,8 @@ void addSynthesize(CLI::App& app, Common& common) {
                  options->rigid,
                  "Instead: the first pose scanned twice, moved a little as a whole in between, "
                  "each time without another end")
-      ->excludes(scan);
+      ->excludes(scan)
+      ->excludes(remesh);
   verb->callback([options, vertices, &common] {
     // A scan is judged on this mesh, which must not be coarser than the scan.
     if (options->scan && vertices->count() == 0) options->body.vertices = 20'000;

@@ -9,16 +9,20 @@
 #include <nlohmann/json.hpp>
 #include <vtkObject.h>
 
+#include "common/endings.h"
+#include "common/in_range.h"
 #include "display.h"
 #include "sheet.h"
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <new>
 #include <string>
 
 namespace {
 
+using posture::app::inRange;
 using posture::render::SheetOptions;
 
 constexpr int EXIT_USAGE = 2;
@@ -31,6 +35,8 @@ struct Arguments {
   bool no_faces = false;
   bool json = false;
   bool quiet = false;
+  int threads = 0;
+  unsigned long seed = 0;
 };
 
 /// One line on stderr, whatever line breaks the message has.
@@ -55,7 +61,9 @@ std::string checkTileSize(const std::string& text) {
 void addOptions(CLI::App& app, Arguments& arguments) {
   SheetOptions& sheet = arguments.sheet;
   app.add_option("FILE", sheet.files, "Meshes and point clouds, one column each")->required();
-  app.add_option("-o,--output", arguments.output, "The picture, a PNG file")->required();
+  app.add_option("-o,--output", arguments.output, "The picture, a PNG file")
+      ->required()
+      ->check(posture::app::endsInOneOf({".png"}));
   app.add_option("--view",
                  sheet.views,
                  "A row of this view; may be repeated (default: one row, "
@@ -67,7 +75,7 @@ void addOptions(CLI::App& app, Arguments& arguments) {
       ->check(CLI::IsMember({"auto", "x", "y", "z", "-x", "-y", "-z"}))
       ->capture_default_str();
   app.add_option("--columns", sheet.columns, "Start a new line after so many files")
-      ->check(CLI::Range(1, 1000));
+      ->check(inRange(1, 1000));
   app.add_option("--size", arguments.size, "Pixels of a tile")
       ->check(CLI::Validator(checkTileSize, "WxH"))
       ->capture_default_str();
@@ -75,12 +83,13 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   app.add_flag("--boundary", sheet.style.boundary, "Dark lines along the edges of holes");
   app.add_flag("--no-faces", arguments.no_faces, "Draw meshes as clouds of their vertices");
   app.add_option("--point-size", sheet.style.point_size, "Pixels of a cloud's points")
-      ->check(CLI::Range(0.5, 100.0));
+      ->check(inRange(0.5, 100.0));
   app.add_flag("--json", arguments.json, "Say on stdout what was drawn");
   app.add_flag("-q,--quiet", arguments.quiet, "As everywhere; there is nothing to silence here");
-  app.add_option("--threads,--seed", "As everywhere; the picture does not depend on them")
-      ->take_last()
-      ->check(CLI::NonNegativeNumber);
+  app.add_option("--threads", arguments.threads, "As everywhere; the picture does not depend on it")
+      ->check(inRange(1, 1024));
+  app.add_option("--seed", arguments.seed, "As everywhere; there is nothing random here")
+      ->check(inRange(0ul, std::numeric_limits<unsigned long>::max()));
 }
 
 std::string describe(const posture::render::Sheet& sheet, const std::string& output) {

@@ -83,6 +83,14 @@ TEST_F(Evaluate, WritesJson) {
   EXPECT_EQ(figures["mirror"]["wrong_side"], false);
 }
 
+TEST_F(Evaluate, QuietPrintsJsonAlone) {
+  const auto quiet = evaluate("identity.csv", {"--truth", "identity", "--quiet"});
+  EXPECT_EQ(quiet.exit_code, 0);
+  EXPECT_EQ(quiet.out + quiet.err, "");
+  const auto as_json = evaluate("identity.csv", {"--truth", "identity", "--quiet", "--json"});
+  EXPECT_TRUE(json::parse(as_json.out).contains("mean_x100"));
+}
+
 TEST_F(Evaluate, WritesFiles) {
   const auto end = evaluate("shifted.csv", {"--truth", "identity", "-o", folder_ / "out/new"});
   ASSERT_EQ(end.exit_code, 0) << end.err;

@@ -149,6 +149,10 @@ TEST_F(Render, wrongUsage) {
                                                        {ball, "-o", out, "--size", "100x9999"},
                                                        {ball, "-o", out, "--columns", "0"},
                                                        {ball, "-o", out, "--up", "w"},
+                                                       {ball, "-o", out, "--point-size", "nan"},
+                                                       {ball, "-o", out, "--threads", "0"},
+                                                       {ball, "-o", out, "--seed", "-1"},
+                                                       {ball, "-o", folder_ / "picture.jpg"},
                                                        {ball, "-o", out, "--nonsense"}};
   for (const auto& arguments : wrong) {
     const ProgramRun ended = render(arguments);
