@@ -58,16 +58,33 @@ check_commands() {
   fi
 }
 
-# The verbs of `posture --help`, and the options of posture-render, are those the manual explains.
+# options_of COMMAND...: what its --help lists.
+options_of() { "$@" --help | grep -oE -- '^  [^ ]*--[a-z,-]+' | grep -oE -- '--[a-z-]+' | sort; }
+
+# explained_in PAGE SECTION: the options that have an entry there.
+explained_in() {
+  awk -v section="$2" '/^\.S[SH] / { inside = $0 == section } inside && entry; { entry = $0 == ".TP" }' "$1" |
+    tr -d '\\' | grep -oE -- '--[a-z-]+' | sort
+}
+
+# The verbs and options of --help are those the manual explains.
 check_manual() {
-  local manual=$tree/share/man/man1
-  diff <("$tree/bin/posture" --help | sed -n '/^Subcommands/,$ s/^  \([a-z]\+\) .*/\1/p' | sort) \
-    <(sed -n '/^\.SH VERBS/,/^\.SH OPTIONS/ s/^\.BI "\([a-z]\+\) .*/\1/p' "$manual/posture.1" | sort) ||
+  local manual=$tree/share/man/man1 verbs verb
+  verbs=$("$tree/bin/posture" --help | sed -n '/^Subcommands/,$ s/^  \([a-z]\+\) .*/\1/p')
+  diff <(sort <<<"$verbs") \
+    <(sed -n '/^\.SH VERBS/,/^\.SH OPTIONS/ s/^\.SS //p' "$manual/posture.1" | sort) ||
     fail "the verbs (<) are not those of posture.1 (>)"
+  diff <(options_of "$tree/bin/posture") <(explained_in "$manual/posture.1" ".SH OPTIONS") ||
+    fail "the options (<) are not those of posture.1 (>)"
+  for verb in $verbs; do
+    [[ $verb == render ]] && continue # another program, whose manual is below
+    diff <(options_of "$tree/bin/posture" "$verb" | grep -vx -- --help) \
+      <(explained_in "$manual/posture.1" ".SS $verb") ||
+      fail "the options of $verb (<) are not those of posture.1 (>)"
+  done
   if [[ $RENDER == 1 ]]; then
-    diff <("$tree/bin/posture-render" --help | grep -oE -- '^  [^ ]*--[a-z,-]+' | grep -oE -- '--[a-z-]+' | sort) \
-      <(sed -n '/^\.SH OPTIONS/,/^\.SH EXIT/p' "$manual/posture-render.1" | grep '^\.B' | tr -d '\\' |
-        grep -oE -- '--[a-z-]+' | sort) ||
+    diff <(options_of "$tree/bin/posture-render") \
+      <(explained_in "$manual/posture-render.1" ".SH OPTIONS") ||
       fail "the options (<) are not those of posture-render.1 (>)"
   fi
 }
