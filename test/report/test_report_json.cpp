@@ -63,7 +63,20 @@ TEST(ReportJson, emptyResult) {
   EXPECT_EQ(report.at("status"), "undecided");
   EXPECT_TRUE(report.at("chosen").is_null());
   EXPECT_TRUE(report.at("trust").at("accepted_share").is_null());
-  EXPECT_TRUE(report.at("trust").at("runner_up_energy_ratio").is_null());
+  EXPECT_EQ(report.at("alternatives").size(), 0u);
+}
+
+TEST(ReportJson, eachMethodHasItsOwnFields) {
+  const auto published = sampleReport();
+  EXPECT_FALSE(published.contains("alternatives"));
+  RegistrationResult result = test::sampleResult();
+  result.hypotheses.clear();
+  result.alternatives.resize(2);
+  const auto refined = nlohmann::json::parse(reportJson(result, {}));
+  EXPECT_EQ(refined.at("alternatives").size(), 2u);
+  for (const char* field : {"hypotheses", "consistency_threshold_c0"})
+    EXPECT_FALSE(refined.contains(field)) << field;
+  EXPECT_FALSE(refined.at("trust").contains("runner_up_energy_ratio"));
 }
 
 TEST(ReportJson, fileNamesNeedNotBeUtf8) {

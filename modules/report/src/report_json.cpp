@@ -115,6 +115,9 @@ Json describeAll(const std::vector<Summary>& summaries, int chosen) {
   return list;
 }
 
+/// Whether the published method made it, which alone has hypotheses.
+bool isPublished(const RegistrationResult& result) { return !result.hypotheses.empty(); }
+
 /// The figures that tell how far to trust the result.
 Json describeTrust(const RegistrationResult& result) {
   const auto& places = result.correspondence.on_target;
@@ -125,8 +128,8 @@ Json describeTrust(const RegistrationResult& result) {
   Json trust = {{"source_vertices", places.size()},
                 {"accepted_vertices", accepted},
                 {"accepted_share", share(double(accepted), double(places.size()))},
-                {"mean_confidence_of_accepted", share(confidence, double(accepted))},
-                {"runner_up_energy_ratio", number(runnerUpRatio(result))}};
+                {"mean_confidence_of_accepted", share(confidence, double(accepted))}};
+  if (isPublished(result)) trust["runner_up_energy_ratio"] = number(runnerUpRatio(result));
   if (!result.alternatives.empty()) {
     trust["trust"] = number(result.trust);
     trust["score"] = number(result.score);
@@ -189,20 +192,23 @@ double runnerUpRatio(const RegistrationResult& result) {
 }
 
 std::string reportJson(const RegistrationResult& result, const RunDescription& run) {
-  const Json report = {{"status", result.status == Status::REGISTERED ? "registered" : "undecided"},
-                       {"message", result.message},
-                       {"trust", describeTrust(result)},
-                       {"source", describe(run.source, result.source, result.source_scan)},
-                       {"target", describe(run.target, result.target, result.target_scan)},
-                       {"scale_source_to_target", number(result.scale)},
-                       {"consistency_threshold_c0", number(result.consistency_threshold)},
-                       {"chosen", result.chosen < 0 ? Json(nullptr) : Json(result.chosen)},
-                       {"hypotheses", describeAll(result.hypotheses, result.chosen)},
-                       {"alternatives", describeAll(result.alternatives, result.chosen)},
-                       {"options", pairs(run.options)},
-                       {"files", pairs(run.files)},
-                       {"versions", versions()},
-                       {"run", describeRun(result, run)}};
+  Json report = {{"status", result.status == Status::REGISTERED ? "registered" : "undecided"},
+                 {"message", result.message},
+                 {"trust", describeTrust(result)},
+                 {"source", describe(run.source, result.source, result.source_scan)},
+                 {"target", describe(run.target, result.target, result.target_scan)},
+                 {"scale_source_to_target", number(result.scale)},
+                 {"chosen", result.chosen < 0 ? Json(nullptr) : Json(result.chosen)}};
+  if (isPublished(result)) {
+    report["consistency_threshold_c0"] = number(result.consistency_threshold);
+    report["hypotheses"] = describeAll(result.hypotheses, result.chosen);
+  } else {
+    report["alternatives"] = describeAll(result.alternatives, result.chosen);
+  }
+  report["options"] = pairs(run.options);
+  report["files"] = pairs(run.files);
+  report["versions"] = versions();
+  report["run"] = describeRun(result, run);
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
