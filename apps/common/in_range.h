@@ -12,7 +12,8 @@
 
 namespace posture::app {
 
-/// A number of an option: from `least` to `most`, a whole one where these are. NaN is in no range.
+/// A number of an option: from `least` to `most`, a whole one where these are. NaN is in no range,
+/// and a whole number begins with no 0, which CLI11 would take for an octal one.
 template <class Number>
 CLI::Validator inRange(Number least, Number most) {
   const bool whole = std::is_integral_v<Number>;
@@ -26,7 +27,8 @@ CLI::Validator inRange(Number least, Number most) {
     const char* const end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, number);
     const bool good = error == std::errc() && rest == end && number >= least && number <= most;
-    return good ? std::string() : text + wrong;
+    const bool octal = std::is_integral_v<Number> && text.size() > 1 && text.front() == '0';
+    return good && !octal ? std::string() : text + wrong;
   };
   return {check, description.str()};
 }

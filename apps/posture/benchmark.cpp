@@ -56,6 +56,7 @@ void benchmark(const BenchmarkOptions& options, const Common& common) {
   const std::vector<BenchmarkPair> pairs = readPairList(options.list);
   options.selection.check(pairs);
   makeFolder(options.folder / "pairs");
+  checkWritable(options.folder / "RESULTS.md");  // now, not after hours
 
   const auto asked = static_cast<std::size_t>(std::count_if(
       pairs.begin(), pairs.end(), [&](const auto& pair) { return options.selection.has(pair); }));

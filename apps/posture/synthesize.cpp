@@ -204,6 +204,8 @@ Json writeShape(const fs::path& folder, const Shape& shape, bool quiet) {
 
 /// Two scans of the first pose, the body moved in between.
 void synthesizeRigid(const SynthesizeOptions& options, const Common& common) {
+  if (options.tessellations.size() > 1)
+    throw CLI::ValidationError("--rigid", "takes one --tessellation, the source's");
   makeFolder(options.folder);
   Shape source, target;
   source.options = target.options = options.body;

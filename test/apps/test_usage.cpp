@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace posture {
@@ -50,7 +51,7 @@ TEST(Usage, anEmptyArgumentIsNoName) {
 
 TEST(Usage, numbersAreWholeOnesInTheirRangeAndNoneIsNan) {
   const std::string threads = " is no whole number from 1 to 1024";
-  for (const std::string wrong : {"0", "-1", "1.5", "1025", "x", "0x1", "1e1", "nan"})
+  for (const std::string wrong : {"0", "-1", "1.5", "1025", "x", "0x1", "010", "1e1", "nan"})
     expectWrongUsage({"register", "a", "b", "-o", "c", "--threads", wrong},
                      "--threads: " + wrong + threads);
   for (const std::string wrong : {"-1", "x", "1e3", "18446744073709551616"})
@@ -74,6 +75,8 @@ TEST(Usage, surfacesHaveNames) {
 TEST(Usage, optionsThatContradictEachOtherAreRefused) {
   expectWrongUsage({"register", "a", "b", "-o", "c", "--paper", "--both"}, "excludes --both");
   expectWrongUsage({"synthesize", "-o", "c", "--rigid", "--remesh"}, "--rigid");
+  expectWrongUsage({"synthesize", "-o", "c", "--rigid", "--tessellation", "0", "1"},
+                   "--rigid: takes one --tessellation");
   expectWrongUsage({"compare", "a", "b", "-o", "c", "--mirror", "d"}, "requires --truth");
   expectWrongUsage({"reconstruct", "a.xyz", "-o", "b.ply", "--link", "./b.ply"},
                    "--link: is the file of --output");
@@ -96,6 +99,18 @@ TEST(Usage, listsThatAreNoneAreNamed) {
   }
   expectRefused(
       3, {"compare", at("ball.ply"), "-o", at("out")}, "without TARGET it has to be a list");
+}
+
+TEST(Usage, whatCannotBeWrittenIsFoundBeforeTheWork) {
+  const TemporaryFolder folder;
+  const std::string list = folder / "list.csv";
+  std::ofstream(list) << "id,source,target\na,a.ply,b.ply\n";
+  for (const auto& [verb, table] :
+       {std::pair("benchmark", "RESULTS.md"), std::pair("compare", "comparison.md")}) {
+    const std::string out = folder / verb;
+    std::filesystem::create_directories(out + "/" + table);
+    expectRefused(3, {verb, list, "-o", out}, out + "/" + table + ": cannot be written");
+  }
 }
 
 TEST(Usage, whatCannotBePrintedIsAnError) {

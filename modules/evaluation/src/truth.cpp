@@ -24,7 +24,7 @@ std::vector<VertexPair> readTruth(const std::filesystem::path& truth,
   if (truth == "identity") {
     if (source_vertices != target_vertices)
       throw InputError(
-          "identity: no truth of shapes numbered alike: " + std::to_string(source_vertices) +
+          "identity: the shapes are not numbered alike: " + std::to_string(source_vertices) +
           " source vertices, " + std::to_string(target_vertices) + " on the target");
     for (int v = 0; v < source_vertices; ++v) pairs.push_back({v, v});
     return pairs;
