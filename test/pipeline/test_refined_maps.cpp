@@ -25,7 +25,7 @@ class RefinedMaps : public testing::Test {
     Finalist finalist;
     finalist.maps = {test::nearestOf(test::wound(coarse, angle), coarse),
                      test::nearestOf(test::wound(coarse, -angle), coarse)};
-    return refineFinalists(club_, club_, {&finalist}).front();
+    return refineFinalists(club_, club_, {&finalist}, false).front();
   }
 
   double scoreOf(const RefinedMap& map) const {

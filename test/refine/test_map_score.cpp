@@ -152,7 +152,7 @@ TEST(ScoreMaps, doesNotHoldAgainstAMapWhatTheTargetLacks) {
   EXPECT_LT(score.total(), scoreMaps(a, b, wrong).total() - 2);
 }
 
-TEST(ScoreLaid, doesNotHoldAgainstAMapWhatLiesOnTheInside) {
+TEST(ScoreBent, doesNotHoldAgainstAMapWhatLiesOnTheInside) {
   // The whole laid on its upper half, the lower half of it folded up against the inside.
   const WholeAndHalf shapes;
   const SpectralSurface &a = *shapes.whole, &b = *shapes.half;
@@ -164,13 +164,13 @@ TEST(ScoreLaid, doesNotHoldAgainstAMapWhatLiesOnTheInside) {
     laid.maps.forward.push_back(number >= 0 ? number : shapes.nearest(folded));
     if (number < 0) laid.bent_a.row(v) = b.mesh.vertices.row(laid.maps.forward.back());
   }
-  const MapScore fair = scoreLaid(a, b, laid), blind = scoreMaps(a, b, laid.maps);
+  const MapScore fair = scoreBent(a, b, laid, true), blind = scoreMaps(a, b, laid.maps);
   EXPECT_LT(fair.total(), blind.total() - 2);
   EXPECT_LT(fair.distortion, 0.05);
   EXPECT_LT(fair.return_miss, 0.05);
   // Where all have a counterpart, there is no difference.
   const BentPair there{test::identity(a), a.mesh.vertices, a.mesh.vertices};
-  EXPECT_EQ(scoreLaid(a, a, there).total(), scoreMaps(a, a, there.maps).total());
+  EXPECT_EQ(scoreBent(a, a, there, true).total(), scoreMaps(a, a, there.maps).total());
 }
 
 TEST(ScoreMaps, theTruthIsBetterThanWhatIsWrong) {

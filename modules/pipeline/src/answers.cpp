@@ -56,8 +56,8 @@ std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
   for (std::size_t i = 0; i < std::min(LEADING, finalists.size()); ++i) add(static_cast<int>(i));
   for (std::size_t k = 1; k < std::min(ANSWERS, distinct.size()); ++k)
     if (finalists[distinct[k]].score.total() < best + DECISIVE) add(distinct[k]);
-  const auto laid = std::find_if(
-      finalists.begin(), finalists.end(), [](const Finalist& f) { return f.bent.has_value(); });
+  const auto laid =
+      std::find_if(finalists.begin(), finalists.end(), [](const Finalist& f) { return f.laid; });
   if (laid != finalists.end()) add(static_cast<int>(laid - finalists.begin()));
   return leading;
 }

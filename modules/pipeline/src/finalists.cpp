@@ -4,8 +4,11 @@
 
 #include <posture/core/parallel.h>
 #include <posture/refine/bend.h>
+#include <posture/refine/let_go.h>
 
 #include "by_score.h"
+#include "refined_maps.h"
+#include "verdict.h"
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -18,6 +21,11 @@ namespace {
 constexpr double LEAST_ORIENTATION = 0.2;
 
 constexpr int MOST_FINALISTS = 8, MOST_LAID = 4;
+
+/// Of different answers so many are tried without what they misplace; how they settle before.
+constexpr int MOST_LET_GO = 8;
+const std::vector<double> LETTING_GO{0.1, 0.3};
+constexpr int SETTLING_ROUNDS = 6;
 
 /// So many are bent further, so often at most.
 constexpr int BENT_FURTHER = 16, MOST_FURTHER = 4;
@@ -44,20 +52,14 @@ std::vector<std::vector<int>> differingParts(const SpectralSurface& source,
   std::vector<char> open(n);
   for (int v = 0; v < n; ++v)
     open[v] = (target.mesh.vertices.row(x[v]) - target.mesh.vertices.row(y[v])).norm() > gap;
-  std::vector<std::vector<int>> parts;
-  for (int start = 0; start < n; ++start) {
-    if (!open[start]) continue;
-    std::vector<int> part{start};
-    open[start] = 0;
-    for (std::size_t i = 0; i < part.size(); ++i)
-      for (const int* w = source.neighbors.begin(part[i]); w != source.neighbors.end(part[i]); ++w)
-        if (open[*w]) {
-          open[*w] = 0;
-          part.push_back(*w);
-        }
-    if (static_cast<int>(part.size()) >= LEAST_PART && 2 * static_cast<int>(part.size()) <= n)
-      parts.push_back(std::move(part));
-  }
+  std::vector<std::vector<int>> parts = markedParts(source, std::move(open));
+  parts.erase(std::remove_if(parts.begin(),
+                             parts.end(),
+                             [&](const std::vector<int>& part) {
+                               return static_cast<int>(part.size()) < LEAST_PART ||
+                                      2 * static_cast<int>(part.size()) > n;
+                             }),
+              parts.end());
   return parts;
 }
 
@@ -132,6 +134,7 @@ std::vector<Finalist> layFinalists(const SpectralSurface& source,
   parallelFor(static_cast<int>(ways.size()), [&](int i) {
     const Similarity& way = ways[i];
     Finalist& finalist = laid[i];
+    finalist.laid = true;
     finalist.scale = way.scale;
     const SpectralSurface scaled({way.scale * source.mesh.vertices, source.mesh.faces},
                                  source.functions.cast<double>() / way.scale,
@@ -142,7 +145,7 @@ std::vector<Finalist> layFinalists(const SpectralSurface& source,
                             way.scale * way.inverseOf(target.mesh.vertices));
     finalist.maps = finalist.bent->maps;
     finalist.orientation = orientation(scaled, target, finalist.maps);
-    finalist.score = scoreLaid(scaled, target, *finalist.bent);
+    finalist.score = scoreBent(scaled, target, *finalist.bent, true);
   });
   laid.erase(std::remove_if(laid.begin(),
                             laid.end(),
@@ -150,6 +153,35 @@ std::vector<Finalist> layFinalists(const SpectralSurface& source,
              laid.end());
   sortByScore(laid);
   return laid;
+}
+
+std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
+                                     const SpectralSurface& target,
+                                     const std::vector<int>& distinct,
+                                     std::vector<Finalist> finalists) {
+  std::vector<Finalist> tried;
+  for (int i : distinct)
+    if (static_cast<int>(tried.size()) < MOST_LET_GO && !finalists[i].laid)
+      tried.push_back(finalists[i]);
+  const double softness = settlingSoftness(source.eigenvalues, target.eigenvalues);
+  parallelFor(static_cast<int>(tried.size()), [&](int i) {
+    Finalist& finalist = tried[i];
+    const VertexMaps& maps = finalist.maps;
+    BentPair pair{maps,
+                  target.mesh.vertices(maps.forward, Eigen::all),
+                  source.mesh.vertices(maps.backward, Eigen::all)};
+    for (double share : LETTING_GO) settle(source, target, share * softness, SETTLING_ROUNDS, pair);
+    const std::optional<MapScore> score = letGo(source, target, softness, SCORE_NOISE, pair);
+    if (!score || !convinces(score->total()) ||
+        !(score->total() < finalist.score.total() - SCORE_NOISE))
+      return;
+    finalist.score = *score;
+    finalist.maps = pair.maps;
+    finalist.bent = std::move(pair);
+  });
+  tried.erase(std::remove_if(tried.begin(), tried.end(), [](const Finalist& f) { return !f.bent; }),
+              tried.end());
+  return joined(std::move(tried), std::move(finalists));
 }
 
 std::vector<Finalist> joined(std::vector<Finalist> some, std::vector<Finalist> others) {

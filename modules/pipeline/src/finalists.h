@@ -22,7 +22,8 @@ struct Finalist {
   VertexMaps maps;         ///< between the coarse meshes
   MapScore score;
   double scale = 1;              ///< what the source was multiplied by for it
-  std::optional<BentPair> bent;  ///< the coarse meshes, the source scaled; if laid over each other
+  std::optional<BentPair> bent;  ///< the coarse meshes, the source scaled; if laid or let go of
+  bool laid = false;             ///< the surfaces were laid over each other
 };
 
 /// Those of the sample maps that do not turn the surface inside out, each registered from a low
@@ -46,6 +47,15 @@ std::vector<Finalist> layFinalists(const SpectralSurface& source,
                                    const SpectralSurface& target,
                                    const SurfacePlaces& source_places,
                                    const SurfacePlaces& target_places);
+
+/// Finalists, and the first different ones of them once more with what they misplace let go of,
+/// where that makes their scores better and what is left looks like one body (convinces()). By
+/// increasing score.
+/// \param distinct  of the finalists, those that are different.
+std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
+                                     const SpectralSurface& target,
+                                     const std::vector<int>& distinct,
+                                     std::vector<Finalist> finalists);
 
 /// Puts two lists into one, by increasing score.
 std::vector<Finalist> joined(std::vector<Finalist> some, std::vector<Finalist> others);

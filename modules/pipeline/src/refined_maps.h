@@ -21,11 +21,14 @@ struct RefinedMap {
 };
 
 /// Takes finalists to the work meshes and makes them as exact as those allow; by increasing score.
-/// Limbs of the first are turned about themselves where they fit better so, it is annealed, and
-/// ends of limbs that do not fit are laid anew; its score is that before.
+/// Limbs of the first are turned about themselves where they fit better so, it is annealed, ends of
+/// limbs that do not fit are laid anew, and what is misplaced is let go of; its score is that
+/// before. \param may_lack  whether a side may lack a part that the other one has: if not, nothing
+/// is let go.
 std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const RefinedShape& target,
-                                        const std::vector<const Finalist*>& finalists);
+                                        const std::vector<const Finalist*>& finalists,
+                                        bool may_lack);
 
 /// How soft surfaces are when they settle, on any resolution: as the finest eigenfunctions are.
 /// From the eigenvalues of both shapes.

@@ -8,6 +8,7 @@
 #include "answers.h"
 #include "finalists.h"
 #include "loose_pieces.h"
+#include "pieces.h"
 #include "posed_side.h"
 #include "refined_maps.h"
 #include "refined_pictures.h"
@@ -71,12 +72,21 @@ void reduceSides(PosedSide& source, PosedSide& target) {
   });
 }
 
+/// Whether a side may lack what the other one has.
+bool mayLack(const PosedSide& source, const PosedSide& target) {
+  const auto open = [](const PosedSide& side) {
+    return side.given.patch_vertices > 0 || mayBePiece(side.ordered);
+  };
+  return open(source) || open(target);
+}
+
 /// Different maps between the coarse surfaces, by increasing score.
 std::vector<Finalist> findFinalists(const PosedSide& source_side,
                                     const PosedSide& target_side,
                                     const SpectralSurface& source,
                                     const SpectralSurface& target,
                                     const std::vector<SampleMap>& pool,
+                                    bool may_lack,
                                     StageClock& clock) {
   const SampledShape &source_samples = source_side.shape.samples,
                      &target_samples = target_side.shape.samples;
@@ -93,6 +103,14 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
   const auto convince = [&] {
     return !finalists.empty() && convinces(finalists.front().score.total());
   };
+
+  // A part that the other side lacks is squeezed onto what there is.
+  if (may_lack)
+    clock.stage("letting go", 0.05, [&] {
+      const std::vector<int> distinct =
+          distinctFinalists(finalists, target.mesh, 2 * target_samples.spacing);
+      finalists = withPartsLetGo(source, target, distinct, std::move(finalists));
+    });
 
   // Where bodies stretch, the right candidate is not among those that change distances least.
   if (!convince())
@@ -116,11 +134,12 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
 std::vector<RefinedMap> refineLeading(const RefinedShape& source,
                                       const RefinedShape& target,
                                       const std::vector<Finalist>& finalists,
-                                      const std::vector<int>& distinct) {
+                                      const std::vector<int>& distinct,
+                                      bool may_lack) {
   const std::vector<int> leading = leadingOf(finalists, distinct);
   std::vector<const Finalist*> chosen;
   for (int i : leading) chosen.push_back(&finalists[i]);
-  std::vector<RefinedMap> maps = refineFinalists(source, target, chosen);
+  std::vector<RefinedMap> maps = refineFinalists(source, target, chosen, may_lack);
   for (RefinedMap& map : maps) map.finalist = leading[map.finalist];
   return maps;
 }
@@ -164,6 +183,7 @@ void refineAlternatives(const PosedSide& source,
                         const std::vector<Finalist>& finalists,
                         const std::vector<int>& answers,
                         const RefinedAnswers& refined,
+                        bool may_lack,
                         RegistrationResult& result) {
   for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
     if (static_cast<int>(k) == result.chosen) continue;
@@ -173,7 +193,8 @@ void refineAlternatives(const PosedSide& source,
     const RefinedMap map =
         known != nullptr
             ? *known
-            : refineFinalists(source.shape, target.shape, {&finalists[answers[k]]}).front();
+            : refineFinalists(source.shape, target.shape, {&finalists[answers[k]]}, may_lack)
+                  .front();
     other.correspondence = correspondenceOf(source.given,
                                             source.shape,
                                             target.given,
@@ -214,10 +235,11 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   // mirrored one as well.
   source.scale(distanceRatio(source.shape.samples, target.shape.samples, pool.front()));
 
+  const bool may_lack = mayLack(source, target);
   const SpectralSurface source_coarse = source.shape.coarseSurface(),
                         target_coarse = target.shape.coarseSurface();
   const std::vector<Finalist> finalists =
-      findFinalists(source, target, source_coarse, target_coarse, pool, clock);
+      findFinalists(source, target, source_coarse, target_coarse, pool, may_lack, clock);
   RegistrationResult result;
   result.source = summarize(source.given, source.shape);
   result.target = summarize(target.given, target.shape);
@@ -232,7 +254,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
 
   // The best of the leading ones wins.
   const std::vector<RefinedMap> refined = clock.stage("refinement", 0.27, [&] {
-    return refineLeading(source.shape, target.shape, finalists, distinct);
+    return refineLeading(source.shape, target.shape, finalists, distinct, may_lack);
   });
   const RefinedMap& best = refined.front();
   const RefinedAnswers refined_answers(
@@ -272,7 +294,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
         "way back", 0.0, [&] { result.back = wayBack(source, scaled, target, full, result); });
   if (options.refine_alternatives)
     clock.stage("alternatives", 0.0, [&] {
-      refineAlternatives(source, target, finalists, answers, refined_answers, result);
+      refineAlternatives(source, target, finalists, answers, refined_answers, may_lack, result);
     });
   return result;
 }

@@ -13,13 +13,15 @@ namespace posture {
 constexpr int BENDING_STEPS = 5;
 
 /// How far the match of each vertex is to be believed: a match at the rim of a hole may stand for
-/// any place inside it.
+/// any place inside it. \param apart  vertices whose match does not count, as in BentPair.
 inline Vector belief(const BendableSurface& from,
                      const BendableSurface& to,
-                     const std::vector<int>& matches) {
+                     const std::vector<int>& matches,
+                     const std::vector<char>& apart = {}) {
   Vector c = Vector::Ones(matches.size());
   for (std::size_t v = 0; v < matches.size(); ++v)
-    if (to.on_boundary[matches[v]] && !from.on_boundary[v]) c[v] = 0;
+    if ((to.on_boundary[matches[v]] && !from.on_boundary[v]) || (!apart.empty() && apart[v]))
+      c[v] = 0;
   return c;
 }
 

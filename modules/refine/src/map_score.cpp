@@ -30,6 +30,9 @@ constexpr double RETURN_LENGTH = 0.05;
 /// A few per cent of the matches miss for no more reason than the size of the triangles.
 constexpr double USUAL_MISS = 0.02;
 
+/// The logarithm of what is left must not be infinite.
+constexpr double MOST_LET_GO = 0.99;
+
 /// A map onto the rims alone says nothing.
 constexpr double LEAST_COVERED = 0.01;
 
@@ -121,9 +124,12 @@ double oneWayOrientation(const SpectralSurface& a,
   return area > 0 ? vote / area : 0;
 }
 
-Vector beliefLaid(const SpectralSurface& from, const SpectralSurface& to, const BentPair& laid) {
-  Vector believed = belief(from, to, laid.maps.forward);
-  const std::vector<char> without = withoutPartner(from, to, laid, true);
+Vector beliefBent(const SpectralSurface& from,
+                  const SpectralSurface& to,
+                  const BentPair& pair,
+                  bool laid) {
+  Vector believed = belief(from, to, pair.maps.forward);
+  const std::vector<char> without = withoutPartner(from, to, pair, laid);
   for (std::size_t v = 0; v < without.size(); ++v)
     if (without[v] != 0) believed[static_cast<Eigen::Index>(v)] = 0;
   return believed;
@@ -163,7 +169,9 @@ MapScore score(const SpectralSurface& a,
 double MapScore::total() const {
   // A perfect map must not win by a lucky zero in one term.
   constexpr double LEAST = 1e-4;
-  double sum = std::log(USUAL_MISS + return_miss);
+  // Each of the four terms by the share of the surface that it was measured on.
+  const double kept = 1 - std::min(MOST_LET_GO, let_go);
+  double sum = std::log(USUAL_MISS + return_miss) - 4 * std::log(kept);
   for (double term : {bending, curvature, distortion}) sum += std::log(std::max(LEAST, term));
   // std::max hides what is no number.
   return std::isfinite(bending + curvature + distortion + return_miss)
@@ -175,8 +183,14 @@ MapScore scoreMaps(const SpectralSurface& a, const SpectralSurface& b, const Ver
   return score(a, b, maps, belief(a, b, maps.forward), belief(b, a, maps.backward));
 }
 
-MapScore scoreLaid(const SpectralSurface& a, const SpectralSurface& b, const BentPair& laid) {
-  return score(a, b, laid.maps, beliefLaid(a, b, laid), beliefLaid(b, a, reversed(laid)));
+MapScore scoreBent(const SpectralSurface& a,
+                   const SpectralSurface& b,
+                   const BentPair& pair,
+                   bool laid) {
+  MapScore bent =
+      score(a, b, pair.maps, beliefBent(a, b, pair, laid), beliefBent(b, a, reversed(pair), laid));
+  bent.let_go = std::max(areaShare(a, pair.apart_a), areaShare(b, pair.apart_b));
+  return bent;
 }
 
 double orientation(const SpectralSurface& a, const SpectralSurface& b, const VertexMaps& maps) {

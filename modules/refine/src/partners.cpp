@@ -7,7 +7,7 @@
 namespace posture {
 namespace {
 
-/// A vertex whose match is the rim of a hole, more than an edge from where the vertex lies.
+/// A vertex more than an edge from its match, which is the rim of a hole or does not count.
 std::vector<char> overHoles(const BendableSurface& a,
                             const BendableSurface& b,
                             const BentPair& pair) {
@@ -15,7 +15,8 @@ std::vector<char> overHoles(const BendableSurface& a,
   std::vector<char> over(pair.maps.forward.size(), 0);
   for (std::size_t v = 0; v < over.size(); ++v) {
     const int t = pair.maps.forward[v];
-    over[v] = b.on_boundary[t] && !a.on_boundary[v] &&
+    const bool apart = !pair.apart_a.empty() && pair.apart_a[v];
+    over[v] = (apart || (b.on_boundary[t] && !a.on_boundary[v])) &&
               (pair.bent_a.row(v) - b.mesh.vertices.row(t)).norm() > edge;
   }
   return over;

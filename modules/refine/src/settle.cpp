@@ -157,8 +157,12 @@ constexpr Stride FAST{1.8, 0.8};
 /// Bends one surface further and further onto another one.
 class Bender {
  public:
-  Bender(const BendableSurface& from, const BendableSurface& to, const Stride& stride)
-      : from_(from), to_(to), stride_(stride) {}
+  /// \param apart  vertices of the one that is bent whose matches do not count.
+  Bender(const BendableSurface& from,
+         const BendableSurface& to,
+         const std::vector<char>& apart,
+         const Stride& stride)
+      : from_(from), to_(to), apart_(apart), stride_(stride) {}
 
   void soften(double softness) {
     softness_ = softness;
@@ -170,7 +174,7 @@ class Bender {
             const Features& of_to,
             const std::vector<int>& matches,
             Points& bent) {
-    Vector believed = belief(from_, to_, matches);
+    Vector believed = belief(from_, to_, matches, apart_);
     if (pulls_++ % RENEWAL == 0 || believed != believed_) {
       attraction_ = from_.arap.attract(softness_, believed, bent);
       believed_ = std::move(believed);
@@ -185,6 +189,7 @@ class Bender {
 
  private:
   const BendableSurface &from_, &to_;
+  const std::vector<char>& apart_;
   Stride stride_;
   double softness_ = 0;
   int pulls_ = 0;
@@ -197,7 +202,11 @@ class Bender {
 class Settling {
  public:
   Settling(const BendableSurface& a, const BendableSurface& b, const Stride& stride, BentPair& pair)
-      : a_(a), b_(b), pair_(pair), bend_a_(a, b, stride), bend_b_(b, a, stride) {}
+      : a_(a),
+        b_(b),
+        pair_(pair),
+        bend_a_(a, b, pair.apart_a, stride),
+        bend_b_(b, a, pair.apart_b, stride) {}
 
   void run(double softness, int rounds) {
     bend_a_.soften(softness);
@@ -250,7 +259,11 @@ Points prolong(const TriangleMesh& full,
 }  // namespace
 
 BentPair reversed(const BentPair& pair) {
-  return {{pair.maps.backward, pair.maps.forward}, pair.bent_b, pair.bent_a};
+  return {{pair.maps.backward, pair.maps.forward},
+          pair.bent_b,
+          pair.bent_a,
+          pair.apart_b,
+          pair.apart_a};
 }
 
 void settle(const BendableSurface& a,
@@ -287,10 +300,18 @@ BentPair carryUp(const TriangleMesh& a,
         for (std::size_t v = 0; v < full.size(); ++v) full[v] = to.vertex[map[from.nearest[v]]];
         return full;
       };
+  const auto apart = [](const ReducedMesh& of, const std::vector<char>& reduced) {
+    std::vector<char> full;
+    if (!reduced.empty())
+      for (int v : of.nearest) full.push_back(reduced[v]);
+    return full;
+  };
   return {{matches(reduced_a, pair.maps.forward, reduced_b),
            matches(reduced_b, pair.maps.backward, reduced_a)},
           prolong(a, reduced_a, work_a, pair.bent_a),
-          prolong(b, reduced_b, work_b, pair.bent_b)};
+          prolong(b, reduced_b, work_b, pair.bent_b),
+          apart(reduced_a, pair.apart_a),
+          apart(reduced_b, pair.apart_b)};
 }
 
 std::vector<FacePoint> placesOnFaces(const BendableSurface& a,

@@ -15,8 +15,10 @@ struct MapScore {
   double curvature = 0;    ///< 1 - correlation of the mean curvatures
   double distortion = 0;   ///< mean relative change of geodesic distances, each at most 1/2
   double return_miss = 0;  ///< how many matches, there and back, do not end where they began
+  double let_go = 0;  ///< share of the surface that has no part in the map (letGo()): the larger
 
-  /// Sum of the logarithms: each term counts by its ratio, so none needs a weight. Lower is better.
+  /// Sum of the logarithms: each term counts by its ratio, so none needs a weight. Each is divided
+  /// by the share that was not let go of, or letting go would always look better. Lower is better.
   double total() const;
 };
 
@@ -26,9 +28,12 @@ constexpr double SCORE_NOISE = 0.1;
 /// \pre  any prefix of each surface's vertices is spread evenly (as reduceMesh() orders them).
 MapScore scoreMaps(const SpectralSurface& a, const SpectralSurface& b, const VertexMaps& maps);
 
-/// The same for surfaces that were laid over each other: places without a counterpart
-/// (withoutPartner()) do not count either.
-MapScore scoreLaid(const SpectralSurface& a, const SpectralSurface& b, const BentPair& laid);
+/// The same for surfaces that were laid over each other or parts of which were let go of: places
+/// without a counterpart do not count either. \param laid  as for withoutPartner().
+MapScore scoreBent(const SpectralSurface& a,
+                   const SpectralSurface& b,
+                   const BentPair& pair,
+                   bool laid);
 
 /// Whether a map keeps the outside out: over the mapped faces of both surfaces, the mean sign of
 /// their normal against that of the surface they come to lie on, weighted by area. 1: every face

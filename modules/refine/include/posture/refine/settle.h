@@ -12,6 +12,8 @@ struct BentPair {
   VertexMaps maps;
   Points bent_a;  ///< a's vertices on b
   Points bent_b;  ///< b's vertices on a
+  /// Vertices let go of (letGo()), whose matches do not count; empty: none.
+  std::vector<char> apart_a{}, apart_b{};
 };
 
 /// The same with the surfaces exchanged.

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/refine/map_score.h>
+#include <posture/refine/settle.h>
+#include <posture/refine/surface.h>
+
+#include <optional>
+#include <vector>
+
+namespace posture {
+
+/// The vertices of a around which a map changes distances along the surface by far more than
+/// elsewhere: a head is squeezed onto the neck where the other surface ends there.
+/// \pre  any prefix of a's vertices is spread evenly (as reduceMesh() orders them), and both
+///       surfaces are in a unit of about the square root of their area.
+std::vector<char> misplaced(const SpectralSurface& a,
+                            const SpectralSurface& b,
+                            const std::vector<int>& matches);
+
+/// Takes what is misplaced on either surface out of the map, lays it as the surface around it goes,
+/// and lets both settle: what then lies on the other surface is matched with that, the rest is
+/// apart. Again while more is misplaced and the score gets better.
+///
+/// \param softness  as for anneal().
+/// \param least_gain  of the score, each time.
+/// \return  the score, if it gains that; nothing otherwise, and `pair` is as it was.
+std::optional<MapScore> letGo(const SpectralSurface& a,
+                              const SpectralSurface& b,
+                              double softness,
+                              double least_gain,
+                              BentPair& pair);
+
+}  // namespace posture
