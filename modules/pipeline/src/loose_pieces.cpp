@@ -33,6 +33,16 @@ constexpr double ON_SURFACE = 2;
 /// Of a piece's vertices, to call it placed.
 constexpr double MOST = 0.6;
 
+/// In the same unit: how far off in the mean a piece that fits is; a point counts FARTHEST at most.
+constexpr double FITS = 1.2, FARTHEST = 4;
+
+/// Of two places so far apart in the mean, in square roots of the area, where the misfit of one is
+/// less than so many times that of the other, it is open which is right.
+constexpr double ELSEWHERE = 0.1, AS_WELL = 1.25;
+
+/// Of a piece so many points are drawn.
+constexpr int FEW = 500;
+
 constexpr int STEPS = 30;
 constexpr std::size_t LEAST_NEIGHBORS = 6;
 
@@ -59,6 +69,24 @@ Rigid bestRigid(const Points& from, const Points& to) {
   motion.rotation = svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
   motion.translation = mean_to - mean_from * motion.rotation.transpose();
   return motion;
+}
+
+/// None, and about six axes by half a right angle and by a whole one.
+std::vector<Eigen::Matrix3d> turns() {
+  std::vector<Eigen::Matrix3d> all{Eigen::Matrix3d::Identity()};
+  for (double angle : {M_PI / 4, M_PI / 2})
+    for (int axis = 0; axis < 3; ++axis)
+      for (double sign : {1.0, -1.0})
+        all.push_back(Eigen::AngleAxisd(sign * angle, Eigen::Vector3d::Unit(axis)).matrix());
+  return all;
+}
+
+/// At most FEW of a piece's points, evenly over their list.
+std::vector<int> spread(const Points& points) {
+  const int n = static_cast<int>(points.rows()), few = std::min(n, FEW);
+  std::vector<int> some(few);
+  for (int i = 0; i < few; ++i) some[i] = static_cast<int>(static_cast<long long>(i) * n / few);
+  return some;
 }
 
 /// Vertices off the main surface, joined where faces join them or they are at one place; single
@@ -158,11 +186,13 @@ class Placing {
     const Points normals = source_normals_(piece, Eigen::all);
     const std::optional<Rigid> beside = motionBeside(piece);
     if (!beside) return leaveOut(piece);
-    if (settled(*beside, rest, normals, whole_)) return put(piece, *beside, rest, normals, whole_);
-    const Rigid drawn = drawnTo(free_, *beside, rest, normals);
-    if (settled(drawn, rest, normals, free_)) return put(piece, drawn, rest, normals, free_);
+    const bool is_beside = isBeside(piece);
+    if (is_beside && settled(*beside, rest, normals, whole_))
+      return put(piece, *beside, rest, normals, whole_);
+    const std::optional<Rigid> drawn = bestDrawn(*beside, rest, normals, nearestToMain(piece));
+    if (drawn) return put(piece, *drawn, rest, normals, free_);
     result_.deformed(piece, Eigen::all) = beside->of(rest);
-    if (!isBeside(piece)) leaveOut(piece);
+    if (!is_beside) leaveOut(piece);
   }
 
  private:
@@ -230,11 +260,17 @@ class Placing {
     return claimed;
   }
 
-  /// That of the main surface around the vertex of it that is nearest to the piece.
-  std::optional<Rigid> motionBeside(const std::vector<int>& piece) {
-    const int nearest = *std::min_element(piece.begin(), piece.end(), [&](int a, int b) {
+  /// The number in it of the vertex of a piece that is nearest to the main surface.
+  int nearestToMain(const std::vector<int>& piece) const {
+    const auto nearest = std::min_element(piece.begin(), piece.end(), [&](int a, int b) {
       return source_.clean.offset[a] < source_.clean.offset[b];
     });
+    return static_cast<int>(nearest - piece.begin());
+  }
+
+  /// That of the main surface around the vertex of it that is nearest to the piece.
+  std::optional<Rigid> motionBeside(const std::vector<int>& piece) {
+    const int nearest = piece[nearestToMain(piece)];
     const Points& all = source_.input.vertices;
     const int anchor = source_.clean.clean_vertex[nearest];
     const auto known = motions_.find(anchor);
@@ -273,6 +309,49 @@ class Placing {
       on += near.distance < ON_SURFACE * edge_ && agree(motion, normals.row(i), near.vertex);
     }
     return on >= MOST * static_cast<double>(places.rows());
+  }
+
+  /// Where a piece fits what is left free: drawn there from the motion of the surface next to it,
+  /// and from that turned every way about the place where the piece begins, as joints may have bent
+  /// in the gap. Nothing where it fits nowhere, or elsewhere nearly as well.
+  std::optional<Rigid> bestDrawn(const Rigid& beside,
+                                 const Points& rest,
+                                 const Points& normals,
+                                 int first) const {
+    if (free_.empty()) return {};
+    const std::vector<int> some = spread(rest);
+    const Points few = rest(some, Eigen::all), few_normals = normals(some, Eigen::all);
+    const Eigen::RowVector3d pivot = beside.of(rest.row(first));
+    std::vector<Rigid> motions;
+    std::vector<double> costs;
+    for (const Eigen::Matrix3d& turn : turns()) {
+      Rigid start;
+      start.rotation = turn * beside.rotation;
+      start.translation = (beside.translation - pivot) * turn.transpose() + pivot;
+      motions.push_back(drawnTo(free_, start, few, few_normals));
+      costs.push_back(misfit(motions.back(), few, few_normals));
+    }
+    const auto best = std::min_element(costs.begin(), costs.end()) - costs.begin();
+    if (!(costs[best] < FITS) || !settled(motions[best], rest, normals, free_)) return {};
+    const Points places = motions[best].of(few);
+    for (std::size_t i = 0; i < motions.size(); ++i)
+      if (costs[i] < AS_WELL * costs[best] &&
+          (motions[i].of(few) - places).rowwise().norm().mean() > ELSEWHERE * size_)
+        return {};
+    return motions[best];
+  }
+
+  /// Mean distance from the free surface, in edges; a place that looks the other way, or far off,
+  /// counts as FARTHEST.
+  double misfit(const Rigid& motion, const Points& rest, const Points& normals) const {
+    const Points places = motion.of(rest);
+    double sum = 0;
+    for (int i = 0; i < places.rows(); ++i) {
+      const TargetPart::Near near = free_.nearest(places.row(i));
+      sum += agree(motion, normals.row(i), near.vertex) ? std::min(FARTHEST, near.distance / edge_)
+                                                        : FARTHEST;
+    }
+    return sum / static_cast<double>(places.rows());
   }
 
   /// Iterated closest points within a shrinking reach.

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/clean_mesh.h>
+#include <posture/mesh/edges.h>
+#include <posture/pipeline/register_shapes.h>
+
+#include <gtest/gtest.h>
+
+#include "person.h"
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace posture {
+namespace {
+
+using test::person;
+
+/// A person without what lies between two distances from the plane of symmetry, along one arm: the
+/// hand is a piece of its own, or gone.
+struct Severed {
+  Severed(const ArticulatedBody& body, double from, double to) {
+    const Points& rest = body.rest_position;
+    std::vector<int> faces;
+    for (int f = 0; f < body.mesh.faces.rows(); ++f) {
+      const auto face = body.mesh.faces.row(f);
+      if (std::none_of(face.begin(), face.end(), [&](int v) {
+            return rest(v, 0) > from && rest(v, 0) < to;
+          }))
+        faces.push_back(f);
+    }
+    mesh.faces = body.mesh.faces(faces, Eigen::all);
+    for (int v : mesh.faces.reshaped()) of_body.emplace(v, 0);
+    std::vector<int> kept;
+    for (auto& [v, number] : of_body) {
+      number = static_cast<int>(kept.size());
+      kept.push_back(v);
+      is_hand.push_back(rest(v, 0) >= to);
+    }
+    for (int& v : mesh.faces.reshaped()) v = of_body.at(v);
+    mesh.vertices = body.mesh.vertices(kept, Eigen::all);
+  }
+
+  TriangleMesh mesh;
+  std::map<int, int> of_body;
+  std::vector<char> is_hand;  ///< beyond the gap
+};
+
+/// Of some source vertices: how many have a counterpart, and how far off in square roots of the
+/// area.
+struct Outcome {
+  int all = 0, mapped = 0;
+  double error = 0;
+};
+
+class SeveredArms : public testing::Test {
+ protected:
+  static double reach() { return body_.rest_position.col(0).maxCoeff(); }
+
+  Outcome outcomeOf(const RegistrationResult& result,
+                    const Severed& source,
+                    const Severed& target,
+                    bool hand) const {
+    const double size = std::sqrt(faceAreas(target.mesh).sum());
+    Outcome outcome;
+    for (const VertexPair& pair : groundTruth(body_, other_)) {
+      const auto s = source.of_body.find(pair.source), t = target.of_body.find(pair.target);
+      if (s == source.of_body.end() || t == target.of_body.end()) continue;
+      if ((source.is_hand[s->second] != 0) != hand) continue;
+      ++outcome.all;
+      const int found = result.correspondence.on_target[s->second].vertex;
+      if (found < 0) continue;
+      ++outcome.mapped;
+      outcome.error +=
+          (target.mesh.vertices.row(found) - target.mesh.vertices.row(t->second)).norm() / size;
+    }
+    outcome.error /= std::max(1, outcome.mapped);
+    return outcome;
+  }
+
+  static const ArticulatedBody body_, other_;
+};
+
+const ArticulatedBody SeveredArms::body_ = person(0, 0);
+const ArticulatedBody SeveredArms::other_ = person(4, 1);
+
+TEST_F(SeveredArms, aHandBeyondAGapFindsItsPlace) {
+  const Severed source(body_, 0.6 * reach(), 0.7 * reach()), target(other_, 1e9, 1e9);
+  ASSERT_GT(std::count(source.is_hand.begin(), source.is_hand.end(), 1), 30);
+  const RegistrationResult result = registerShapes(source.mesh, target.mesh);
+  EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
+  const Outcome body = outcomeOf(result, source, target, false),
+                hand = outcomeOf(result, source, target, true);
+  EXPECT_GT(body.mapped, 0.97 * body.all);
+  EXPECT_LT(body.error, 0.03);
+  EXPECT_GT(hand.mapped, 0.8 * hand.all);
+  EXPECT_LT(hand.error, 0.04);
+}
+
+TEST_F(SeveredArms, aHandThatTheTargetLacksHasNoCounterpart) {
+  const Severed source(body_, 1e9, 1e9), target(other_, 0.55 * reach(), 1e9);
+  const RegistrationResult result = registerShapes(source.mesh, target.mesh);
+  EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
+  const Outcome body = outcomeOf(result, source, target, false);
+  EXPECT_GT(body.mapped, 0.97 * body.all);
+  EXPECT_LT(body.error, 0.03);
+  int beyond = 0, mapped = 0;
+  for (const auto& [v, number] : source.of_body) {
+    if (body_.rest_position(v, 0) < 0.7 * reach()) continue;
+    ++beyond;
+    mapped += result.correspondence.on_target[number].vertex >= 0;
+  }
+  ASSERT_GT(beyond, 30);
+  EXPECT_LT(mapped, 0.2 * beyond);
+}
+
+}  // namespace
+}  // namespace posture
