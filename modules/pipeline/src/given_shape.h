@@ -17,6 +17,12 @@ struct GivenShape {
   int patch_vertices = 0;  ///< the last so many of the input belong to patches
 
   int ownVertices() const { return static_cast<int>(input.vertices.rows()) - patch_vertices; }
+
+  /// Whether a vertex of the main surface belongs to a patch; those added to it do not.
+  bool isPatch(int clean_vertex) const {
+    return clean_vertex < static_cast<int>(clean.input_vertex.size()) &&
+           clean.input_vertex[clean_vertex] >= ownVertices();
+  }
 };
 
 /// What cleaning tells of a side; samples and stress are left to the method.

@@ -173,7 +173,7 @@ Points deformedInput(const PosedSide& source,
   return target.pose.outOf(placesOfInput(source.given,
                                          scaled.full,
                                          std::vector<char>(full.places.size(), 1),
-                                         placesOfWhole(scaled.full, target.shape.full, full),
+                                         placesOfWhole(source, scaled, target, full),
                                          source.pose.into(source.given.input.vertices)));
 }
 

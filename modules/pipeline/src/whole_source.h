@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "posed_side.h"
 #include "refined_result.h"
 
 namespace posture {
 
 /// Where all vertices of the source's main surface lie: completeDeformation() from the bent surface
-/// and the map's matches. The bent surface itself where the completion refuses the source.
-/// \param source  scaled to the target.
+/// and the map's matches; what has none, or one on a patch, lies as the surface around it goes. The
+/// bent surface itself where the completion refuses the source.
+/// \param scaled  the source at the scale of the map.
 /// \return in the frame of the target's working meshes.
-Points placesOfWhole(const TriangleMesh& source, const TriangleMesh& target, const FullMap& map);
+Points placesOfWhole(const PosedSide& source,
+                     const RefinedShape& scaled,
+                     const PosedSide& target,
+                     const FullMap& map);
 
 }  // namespace posture
