@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -48,7 +51,37 @@ TEST(ExtendDeformation, laysACapAsTheRestGoes) {
     }
 }
 
-TEST(ExtendDeformation, leavesWhatNothingHolds) {
+TEST(ExtendDeformation, bendsEvenlyBetweenEnds) {
+  const TriangleMesh rest = test::grid(40, 12, 4, 1), bent = test::bentStrip(40, 12, 4, 1, 2);
+  std::vector<char> middle(rest.vertices.rows());
+  for (std::size_t v = 0; v < middle.size(); ++v)
+    middle[v] = std::abs(rest.vertices(static_cast<Eigen::Index>(v), 0) - 2) < 0.8 ? 1 : 0;
+  const Points laid = extendDeformation(rest, bent.vertices, middle);
+  double stretch = 0;
+  for (const Edge& e : meshEdges(rest.faces))
+    stretch =
+        std::max(stretch,
+                 std::abs((laid.row(e.first) - laid.row(e.second)).norm() /
+                              (rest.vertices.row(e.first) - rest.vertices.row(e.second)).norm() -
+                          1));
+  EXPECT_LT(stretch, 0.1);
+  EXPECT_LT((laid - bent.vertices).rowwise().norm().maxCoeff(), meanEdgeLength(rest));
+}
+
+TEST(ExtendDeformation, laysEachRegionByTheSurfaceAroundIt) {
+  // Ends that nearly meet at rest lie far from each other when the ring is unrolled.
+  const TriangleMesh rest = test::bentStrip(80, 12, 6, 0.9, 6.1), flat = test::grid(80, 12, 6, 0.9);
+  std::vector<char> holes(rest.vertices.rows());
+  for (std::size_t v = 0; v < holes.size(); ++v) {
+    const auto at = flat.vertices.row(static_cast<Eigen::Index>(v));
+    for (double x : {0.35, 5.65})
+      if (std::hypot(at.x() - x, at.y() - 0.45) < 0.25) holes[v] = 1;
+  }
+  const Points laid = extendDeformation(rest, flat.vertices, holes);
+  EXPECT_LT((laid - flat.vertices).rowwise().norm().maxCoeff(), meanEdgeLength(rest));
+}
+
+TEST(ExtendDeformation, leavesWhatNothingHoldsAndWhatIsKnown) {
   const Moved body;
   EXPECT_EQ(extendDeformation(body.rest, body.places, body.beyond(-10)), body.places);
   EXPECT_EQ(extendDeformation(body.rest, body.places, body.beyond(10)), body.places);

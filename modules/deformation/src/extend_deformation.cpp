@@ -5,7 +5,10 @@
 #include <posture/deformation/arap.h>
 #include <posture/deformation/extend_deformation.h>
 #include <posture/mesh/edges.h>
+#include <posture/mesh/vertex_neighbors.h>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace posture {
@@ -15,50 +18,102 @@ namespace {
 /// which its whole cells tell.
 constexpr int RINGS = 2;
 
-/// In 1 / squared mean edges: known places do not give way.
-constexpr double HOLD = 100;
+/// Known places do not give way: many times what the edges of a vertex weigh, cotangents of which
+/// the largest are some tens.
+constexpr double HOLD = 1e4;
 
 constexpr int ITERATIONS = 50;
 
-/// The faces within some rings of the vertices marked.
-Faces facesNear(const Faces& faces, std::vector<char> marked, int rings) {
-  std::vector<int> near;
-  for (int ring = 0; ring < rings; ++ring) {
-    near.clear();
-    for (int f = 0; f < faces.rows(); ++f)
-      if (marked[faces(f, 0)] != 0 || marked[faces(f, 1)] != 0 || marked[faces(f, 2)] != 0)
-        near.push_back(f);
-    for (int f : near)
-      for (int v : faces.row(f)) marked[v] = 1;
+/// Free vertices that are joined to each other by no more than two edges, in sets.
+std::vector<std::vector<int>> freeRegions(const Faces& faces, std::vector<char> is_free) {
+  const int n = static_cast<int>(is_free.size());
+  const VertexNeighbors near = VertexNeighbors(faces, n).withinTwoEdges();
+  std::vector<std::vector<int>> regions;
+  for (int start = 0; start < n; ++start) {
+    if (is_free[start] == 0) continue;
+    is_free[start] = 0;
+    std::vector<int> region{start};
+    for (std::size_t i = 0; i < region.size(); ++i)
+      for (const int* w = near.begin(region[i]); w != near.end(region[i]); ++w)
+        if (is_free[*w] != 0) {
+          is_free[*w] = 0;
+          region.push_back(*w);
+        }
+    regions.push_back(std::move(region));
   }
-  return faces(near, Eigen::all);
+  return regions;
 }
 
-Faces facesWithout(const Faces& faces, const std::vector<char>& marked) {
-  std::vector<int> rest;
-  for (int f = 0; f < faces.rows(); ++f)
-    if (marked[faces(f, 0)] == 0 && marked[faces(f, 1)] == 0 && marked[faces(f, 2)] == 0)
-      rest.push_back(f);
-  return faces(rest, Eigen::all);
-}
-
-/// Some faces of a mesh and the vertices at them.
-struct PartOfMesh {
-  PartOfMesh(const Points& vertices, const Faces& faces) : mesh{{}, faces} {
-    std::vector<int> number(vertices.rows(), -1);
-    for (int& corner : mesh.faces.reshaped()) {
-      if (number[corner] < 0) {
-        number[corner] = static_cast<int>(vertex.size());
-        vertex.push_back(corner);
-      }
-      corner = number[corner];
+/// The part of a surface around some of its vertices.
+class Surroundings {
+ public:
+  Surroundings(const TriangleMesh& whole, const VertexFaces& faces_at, const std::vector<int>& of)
+      : whole_(whole) {
+    std::vector<int> vertices = of;
+    for (int ring = 0; ring < RINGS; ++ring) {
+      faces_.clear();
+      for (int v : vertices) faces_.insert(faces_.end(), faces_at.begin(v), faces_at.end(v));
+      sortUnique(faces_);
+      vertices.clear();
+      for (int f : faces_)
+        for (int v : whole.faces.row(f)) vertices.push_back(v);
+      sortUnique(vertices);
     }
-    mesh.vertices = vertices(vertex, Eigen::all);
   }
 
-  TriangleMesh mesh;
-  std::vector<int> vertex;  ///< of the whole mesh
+  /// Some of it as a mesh. \param keep  of a face.
+  template <class Keep>
+  std::pair<TriangleMesh, std::vector<int>> mesh(const Keep& keep) const {
+    std::vector<int> kept, vertex;
+    for (int f : faces_)
+      if (keep(whole_.faces.row(f))) kept.push_back(f);
+    Faces faces = whole_.faces(kept, Eigen::all);
+    for (int v : faces.reshaped()) vertex.push_back(v);
+    sortUnique(vertex);
+    for (int& v : faces.reshaped())
+      v = static_cast<int>(std::lower_bound(vertex.begin(), vertex.end(), v) - vertex.begin());
+    return {{whole_.vertices(vertex, Eigen::all), faces}, vertex};
+  }
+
+ private:
+  static void sortUnique(std::vector<int>& values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+  }
+
+  const TriangleMesh& whole_;
+  std::vector<int> faces_;
 };
+
+void layRegion(const TriangleMesh& rest,
+               const VertexFaces& faces_at,
+               const std::vector<char>& is_free,
+               const std::vector<int>& region,
+               Points& places) {
+  const Surroundings surroundings(rest, faces_at, region);
+  const auto [near, vertex] = surroundings.mesh([](const auto&) { return true; });
+  const auto [around, known] = surroundings.mesh([&](const Eigen::RowVector3i& face) {
+    return is_free[face[0]] == 0 && is_free[face[1]] == 0 && is_free[face[2]] == 0;
+  });
+  if (known.empty() || !(faceAreas(around).sum() > 0)) return;
+
+  // From where the surface around takes them: what lies where nothing told may be folded.
+  Points start = places(vertex, Eigen::all);
+  const Points taken_along =
+      applyDeformation(around, places(known, Eigen::all), rest.vertices(vertex, Eigen::all));
+  const Laplacian laplacian = cotangentLaplacian(near);
+  Vector hold = HOLD * laplacian.mass.cwiseInverse();
+  for (int i = 0; i < hold.size(); ++i)
+    if (is_free[vertex[i]] != 0) {
+      hold[i] = 0;
+      start.row(i) = taken_along.row(i);
+    }
+  const Arap arap(near, laplacian);
+  const Points laid = arap.pull(start, start, arap.attract(1, hold), ITERATIONS);
+  if (!laid.allFinite()) return;
+  for (int i = 0; i < hold.size(); ++i)
+    if (hold[i] == 0) places.row(vertex[i]) = laid.row(i);
+}
 
 }  // namespace
 
@@ -68,27 +123,9 @@ Points extendDeformation(const TriangleMesh& rest,
   const auto n = rest.vertices.rows();
   require(places.rows() == n && static_cast<Eigen::Index>(is_free.size()) == n,
           "extendDeformation: one place and one mark a vertex");
-  const Faces faces = facesNear(rest.faces, is_free, RINGS);
-  const PartOfMesh near(rest.vertices, faces), around(rest.vertices, facesWithout(faces, is_free));
-  if (around.vertex.empty()) return places;
-
-  // From where the surface around takes them: what lies where nothing told may be folded.
-  std::vector<int> free;
-  for (int v : near.vertex)
-    if (is_free[v] != 0) free.push_back(v);
-  const Points taken_along = applyDeformation(
-      around.mesh, places(around.vertex, Eigen::all), rest.vertices(free, Eigen::all));
-  places(free, Eigen::all) = taken_along;
-
-  Vector held = Vector::Ones(static_cast<Eigen::Index>(near.vertex.size()));
-  for (int i = 0; i < held.size(); ++i)
-    if (is_free[near.vertex[i]] != 0) held[i] = 0;
-  const Points start = places(near.vertex, Eigen::all);
-  const double edge = meanEdgeLength(near.mesh);
-  const Arap arap(near.mesh, cotangentLaplacian(near.mesh));
-  const Points laid = arap.pull(start, start, arap.attract(HOLD / (edge * edge), held), ITERATIONS);
-  for (int i = 0; i < held.size(); ++i)
-    if (held[i] == 0) places.row(near.vertex[i]) = laid.row(i);
+  const VertexFaces faces_at(rest.faces, static_cast<int>(n));
+  for (const std::vector<int>& region : freeRegions(rest.faces, is_free))
+    layRegion(rest, faces_at, is_free, region, places);
   return places;
 }
 

@@ -6,9 +6,7 @@
 #include <posture/mesh/normals.h>
 #include <posture/mesh/point_index.h>
 
-#include <Eigen/Geometry>
-#include <Eigen/SVD>
-
+#include "draw_piece.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -19,75 +17,17 @@
 namespace posture {
 namespace {
 
-/// Of the square root of the area: how much of the surface next to a piece tells its motion, and
-/// how far the piece may have to go from there.
-constexpr double SURROUNDINGS = 0.15, REACH = 0.2;
+/// Of the square root of the area: how much of the surface next to a piece tells its motion.
+constexpr double SURROUNDINGS = 0.15;
 
 /// The same: a piece nowhere farther from the main surface - an eye, a button, a crumb - goes where
 /// the vertex next to it goes, when it does not find a better place.
 constexpr double BESIDE = 0.1;
 
-/// In mean edges of the target: what lies this near to its surface lies on it.
-constexpr double ON_SURFACE = 2;
-
-/// Of a piece's vertices, to call it placed.
-constexpr double MOST = 0.6;
-
-/// In the same unit: how far off in the mean a piece that fits is; a point counts FARTHEST at most.
-constexpr double FITS = 1.2, FARTHEST = 4;
-
-/// Of two places so far apart in the mean, in square roots of the area, where the misfit of one is
-/// less than so many times that of the other, it is open which is right.
-constexpr double ELSEWHERE = 0.1, AS_WELL = 1.25;
-
-/// Of a piece so many points are drawn.
-constexpr int FEW = 500;
-
-constexpr int STEPS = 30;
 constexpr std::size_t LEAST_NEIGHBORS = 6;
 
 /// Fewer vertices have no motion of their own: they stay with the vertex next to them.
 constexpr std::size_t LEAST_PIECE = 3;
-
-struct Rigid {
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  Eigen::RowVector3d translation = Eigen::RowVector3d::Zero();
-
-  Points of(const Points& points) const {
-    return (points * rotation.transpose()).rowwise() + translation;
-  }
-};
-
-Rigid bestRigid(const Points& from, const Points& to) {
-  const Eigen::RowVector3d mean_from = from.colwise().mean(), mean_to = to.colwise().mean();
-  const Eigen::Matrix3d moment =
-      (to.rowwise() - mean_to).transpose() * (from.rowwise() - mean_from);
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moment, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Vector3d sign(1, 1, 1);
-  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) sign[2] = -1;
-  Rigid motion;
-  motion.rotation = svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
-  motion.translation = mean_to - mean_from * motion.rotation.transpose();
-  return motion;
-}
-
-/// None, and about six axes by half a right angle and by a whole one.
-std::vector<Eigen::Matrix3d> turns() {
-  std::vector<Eigen::Matrix3d> all{Eigen::Matrix3d::Identity()};
-  for (double angle : {M_PI / 4, M_PI / 2})
-    for (int axis = 0; axis < 3; ++axis)
-      for (double sign : {1.0, -1.0})
-        all.push_back(Eigen::AngleAxisd(sign * angle, Eigen::Vector3d::Unit(axis)).matrix());
-  return all;
-}
-
-/// At most FEW of a piece's points, evenly over their list.
-std::vector<int> spread(const Points& points) {
-  const int n = static_cast<int>(points.rows()), few = std::min(n, FEW);
-  std::vector<int> some(few);
-  for (int i = 0; i < few; ++i) some[i] = static_cast<int>(static_cast<long long>(i) * n / few);
-  return some;
-}
 
 /// Vertices off the main surface, joined where faces join them or they are at one place; single
 /// points in no face are pieces of their own. By their first vertex.
@@ -137,31 +77,13 @@ std::vector<std::vector<int>> loosePieces(const GivenShape& shape) {
   return pieces;
 }
 
-/// A part of the target's vertices to look for neighbours in.
-class TargetPart {
- public:
-  template <class Keep>
-  TargetPart(const TriangleMesh& mesh, const Keep& keep) : mesh_(mesh) {
-    for (int v = 0; v < mesh.vertices.rows(); ++v)
-      if (keep(v)) vertex_.push_back(v);
-    if (!vertex_.empty()) index_.emplace(mesh.vertices(vertex_, Eigen::all));
-  }
-  bool empty() const { return vertex_.empty(); }
-
-  struct Near {
-    int vertex;
-    double distance;
-  };
-  Near nearest(const Eigen::RowVector3d& place) const {
-    const PointIndex::Neighbor found = index_->nearest(place.transpose());
-    return {vertex_[found.index], found.distance};
-  }
-
- private:
-  const TriangleMesh& mesh_;
-  std::vector<int> vertex_;
-  std::optional<PointIndex> index_;
-};
+template <class Keep>
+std::vector<int> verticesThat(const TriangleMesh& mesh, const Keep& keep) {
+  std::vector<int> kept;
+  for (int v = 0; v < mesh.vertices.rows(); ++v)
+    if (keep(v)) kept.push_back(v);
+  return kept;
+}
 
 class Placing {
  public:
@@ -175,27 +97,34 @@ class Placing {
         target_normals_(vertexNormals(target.input)),
         target_face_(
             vertexFaces(target.input.faces, static_cast<int>(target.input.vertices.rows()))),
-        whole_(target.input, [&](int v) { return v < target.ownVertices(); }),
-        free_(target.input,
-              [&, claimed = claimed()](int v) { return v < target.ownVertices() && !claimed[v]; }),
+        whole_(part(verticesThat(target.input, [&](int v) { return isOwn(v); }))),
+        free_(part(
+            verticesThat(target.input,
+                         [&, claimed = claimed()](int v) { return isOwn(v) && claimed[v] == 0; }))),
         main_(source.input.vertices, source.clean) {}
 
   void place(const std::vector<int>& piece) {
     if (piece.size() < LEAST_PIECE) return placeSingly(piece);
-    const Points rest = result_.scale * source_.input.vertices(piece, Eigen::all);
-    const Points normals = source_normals_(piece, Eigen::all);
-    const std::optional<Rigid> beside = motionBeside(piece);
+    const Piece scaled{result_.scale * source_.input.vertices(piece, Eigen::all),
+                       source_normals_(piece, Eigen::all),
+                       nearestToMain(piece)};
+    const std::optional<Eigen::Isometry3d> beside = motionBeside(piece);
     if (!beside) return leaveOut(piece);
     const bool is_beside = isBeside(piece);
-    if (is_beside && settled(*beside, rest, normals, whole_))
-      return put(piece, *beside, rest, normals, whole_);
-    const std::optional<Rigid> drawn = bestDrawn(*beside, rest, normals, nearestToMain(piece));
-    if (drawn) return put(piece, *drawn, rest, normals, free_);
-    result_.deformed(piece, Eigen::all) = beside->of(rest);
+    if (is_beside && liesOn(whole_, scaled, *beside)) return put(piece, scaled, *beside, whole_);
+    const std::optional<Eigen::Isometry3d> drawn = drawPiece(free_, scaled, *beside);
+    if (drawn) return put(piece, scaled, *drawn, free_);
+    result_.deformed(piece, Eigen::all) = moved(*beside, scaled.points);
     if (!is_beside) leaveOut(piece);
   }
 
  private:
+  bool isOwn(int target_vertex) const { return target_vertex < target_.ownVertices(); }
+
+  TargetPart part(std::vector<int> vertices) const {
+    return {target_.input.vertices, target_normals_, std::move(vertices), edge_, size_};
+  }
+
   bool isBeside(const std::vector<int>& piece) const {
     return std::all_of(piece.begin(), piece.end(), [&](int v) {
       return result_.scale * source_.clean.offset[v] < BESIDE * size_;
@@ -205,7 +134,7 @@ class Placing {
   void placeSingly(const std::vector<int>& vertices) {
     for (int v : vertices) {
       const TargetPart::Near near = whole_.nearest(result_.deformed.row(v));
-      if (near.distance < ON_SURFACE * edge_)
+      if (near.distance < ON_SURFACE)
         match(v, near);
       else if (!isBeside({v}))
         leaveOut({v});
@@ -213,7 +142,7 @@ class Placing {
   }
 
   void match(int v, const TargetPart::Near& near) {
-    const double miss = near.distance / (ON_SURFACE * edge_);
+    const double miss = near.distance / ON_SURFACE;
     result_.correspondence.on_target[v] = atVertex(near.vertex);
     result_.correspondence.confidence[v] = result_.trust / (1 + miss * miss);
   }
@@ -269,7 +198,7 @@ class Placing {
   }
 
   /// That of the main surface around the vertex of it that is nearest to the piece.
-  std::optional<Rigid> motionBeside(const std::vector<int>& piece) {
+  std::optional<Eigen::Isometry3d> motionBeside(const std::vector<int>& piece) {
     const int nearest = piece[nearestToMain(piece)];
     const Points& all = source_.input.vertices;
     const int anchor = source_.clean.clean_vertex[nearest];
@@ -285,113 +214,24 @@ class Placing {
         if (result_.correspondence.on_target[v].vertex >= 0) mapped.push_back(v);
       }
     if (mapped.size() >= LEAST_NEIGHBORS) around = std::move(mapped);
-    std::optional<Rigid>& motion = motions_[anchor];
+    std::optional<Eigen::Isometry3d>& motion = motions_[anchor];
     if (around.size() >= LEAST_NEIGHBORS)
-      motion =
-          bestRigid(result_.scale * all(around, Eigen::all), result_.deformed(around, Eigen::all));
-    return motion;
-  }
-
-  bool agree(const Rigid& motion, const Eigen::RowVector3d& normal, int target_vertex) const {
-    const Eigen::RowVector3d turned = normal * motion.rotation.transpose();
-    return turned.dot(target_normals_.row(target_vertex)) >= 0;
-  }
-
-  bool settled(const Rigid& motion,
-               const Points& rest,
-               const Points& normals,
-               const TargetPart& part) const {
-    if (part.empty()) return false;
-    const Points places = motion.of(rest);
-    int on = 0;
-    for (int i = 0; i < places.rows(); ++i) {
-      const TargetPart::Near near = part.nearest(places.row(i));
-      on += near.distance < ON_SURFACE * edge_ && agree(motion, normals.row(i), near.vertex);
-    }
-    return on >= MOST * static_cast<double>(places.rows());
-  }
-
-  /// Where a piece fits what is left free: drawn there from the motion of the surface next to it,
-  /// and from that turned every way about the place where the piece begins, as joints may have bent
-  /// in the gap. Nothing where it fits nowhere, or elsewhere nearly as well.
-  std::optional<Rigid> bestDrawn(const Rigid& beside,
-                                 const Points& rest,
-                                 const Points& normals,
-                                 int first) const {
-    if (free_.empty()) return {};
-    const std::vector<int> some = spread(rest);
-    const Points few = rest(some, Eigen::all), few_normals = normals(some, Eigen::all);
-    const Eigen::RowVector3d pivot = beside.of(rest.row(first));
-    std::vector<Rigid> motions;
-    std::vector<double> costs;
-    for (const Eigen::Matrix3d& turn : turns()) {
-      Rigid start;
-      start.rotation = turn * beside.rotation;
-      start.translation = (beside.translation - pivot) * turn.transpose() + pivot;
-      motions.push_back(drawnTo(free_, start, few, few_normals));
-      costs.push_back(misfit(motions.back(), few, few_normals));
-    }
-    const auto best = std::min_element(costs.begin(), costs.end()) - costs.begin();
-    if (!(costs[best] < FITS) || !settled(motions[best], rest, normals, free_)) return {};
-    const Points places = motions[best].of(few);
-    for (std::size_t i = 0; i < motions.size(); ++i)
-      if (costs[i] < AS_WELL * costs[best] &&
-          (motions[i].of(few) - places).rowwise().norm().mean() > ELSEWHERE * size_)
-        return {};
-    return motions[best];
-  }
-
-  /// Mean distance from the free surface, in edges; a place that looks the other way, or far off,
-  /// counts as FARTHEST.
-  double misfit(const Rigid& motion, const Points& rest, const Points& normals) const {
-    const Points places = motion.of(rest);
-    double sum = 0;
-    for (int i = 0; i < places.rows(); ++i) {
-      const TargetPart::Near near = free_.nearest(places.row(i));
-      sum += agree(motion, normals.row(i), near.vertex) ? std::min(FARTHEST, near.distance / edge_)
-                                                        : FARTHEST;
-    }
-    return sum / static_cast<double>(places.rows());
-  }
-
-  /// Iterated closest points within a shrinking reach.
-  Rigid drawnTo(const TargetPart& part,
-                Rigid motion,
-                const Points& rest,
-                const Points& normals) const {
-    if (part.empty()) return motion;
-    for (int step = 0; step < STEPS; ++step) {
-      const double share = 1 - static_cast<double>(step) / STEPS;
-      const double reach = std::max(ON_SURFACE * edge_, share * REACH * size_);
-      const Points places = motion.of(rest);
-      std::vector<int> moved, goals;
-      for (int i = 0; i < places.rows(); ++i) {
-        const TargetPart::Near near = part.nearest(places.row(i));
-        if (near.distance > reach || !agree(motion, normals.row(i), near.vertex)) continue;
-        moved.push_back(i);
-        goals.push_back(near.vertex);
-      }
-      if (moved.size() < LEAST_NEIGHBORS) return motion;
-      motion = bestRigid(rest(moved, Eigen::all), target_.input.vertices(goals, Eigen::all));
-    }
+      motion = rigidMotion(result_.scale * all(around, Eigen::all),
+                           result_.deformed(around, Eigen::all));
     return motion;
   }
 
   void put(const std::vector<int>& piece,
-           const Rigid& motion,
-           const Points& rest,
-           const Points& normals,
+           const Piece& scaled,
+           const Eigen::Isometry3d& motion,
            const TargetPart& part) {
-    const Points places = motion.of(rest);
-    result_.deformed(piece, Eigen::all) = places;
-    for (std::size_t i = 0; i < piece.size(); ++i) {
-      const int row = static_cast<int>(i);
-      const TargetPart::Near near = part.nearest(places.row(row));
-      if (near.distance < ON_SURFACE * edge_ && agree(motion, normals.row(row), near.vertex))
-        match(piece[i], near);
+    result_.deformed(piece, Eigen::all) = moved(motion, scaled.points);
+    const std::vector<TargetPart::Near> near = part.nearest(scaled, motion);
+    for (std::size_t i = 0; i < piece.size(); ++i)
+      if (near[i].distance < ON_SURFACE && near[i].same_way)
+        match(piece[i], near[i]);
       else
         leaveOut({piece[i]});
-    }
   }
 
   SurfacePoint atVertex(int vertex) const {
@@ -417,7 +257,7 @@ class Placing {
   std::vector<int> target_face_;
   TargetPart whole_, free_;
   Main main_;
-  std::map<int, std::optional<Rigid>> motions_;  // by the vertex next to the piece
+  std::map<int, std::optional<Eigen::Isometry3d>> motions_;  // by the vertex next to the piece
 };
 
 }  // namespace

@@ -25,11 +25,21 @@ Correspondence matchesOf(const TriangleMesh& source, const FullMap& map) {
   return matches;
 }
 
-Faces withoutPatches(const GivenShape& given, const Faces& faces) {
+/// The faces of the full mesh that are not part of a face at a patch's vertices.
+Faces withoutPatches(const GivenShape& given, const RefinedShape& shape) {
   std::vector<int> own;
-  for (int f = 0; f < faces.rows(); ++f)
-    if (!touchesPatch(given, faces.row(f))) own.push_back(f);
-  return faces(own, Eigen::all);
+  for (int f = 0; f < shape.full.faces.rows(); ++f)
+    if (!touchesPatch(given,
+                      given.clean.mesh.faces.row(shape.parts.empty() ? f : shape.parts[f].face)))
+      own.push_back(f);
+  return shape.full.faces(own, Eigen::all);
+}
+
+/// Vertices of the full mesh that are in patches alone.
+std::vector<char> inNoFace(const Faces& faces, Eigen::Index vertices) {
+  std::vector<char> none(vertices, 1);
+  for (int v : faces.reshaped()) none[v] = 0;
+  return none;
 }
 
 /// What has no partner, or one in a hole that was closed: a patch is flatter than the body.
@@ -40,6 +50,16 @@ std::vector<char> withoutOwnPartner(const GivenShape& target,
   for (std::size_t v = 0; v < without.size(); ++v)
     if (touchesPatch(target, faces.row(map.places[v].face))) without[v] = 1;
   return without;
+}
+
+/// First what was given, as patches say nothing of how it lies; then patches, as it goes.
+Points extended(const TriangleMesh& whole,
+                const Faces& own,
+                const std::vector<char>& without,
+                Points places) {
+  places = extendDeformation({whole.vertices, own}, std::move(places), without);
+  if (own.rows() == whole.faces.rows()) return places;
+  return extendDeformation(whole, std::move(places), inNoFace(own, whole.vertices.rows()));
 }
 
 }  // namespace
@@ -53,10 +73,10 @@ Points placesOfWhole(const PosedSide& source,
     Completion completion =
         completeDeformation(whole, map.pair.bent_a, matchesOf(whole, map), onto);
     if (completion.places.allFinite())
-      return extendDeformation(
-          {completion.scale * whole.vertices, withoutPatches(source.given, whole.faces)},
-          std::move(completion.places),
-          withoutOwnPartner(target.given, onto.faces, map));
+      return extended({completion.scale * whole.vertices, whole.faces},
+                      withoutPatches(source.given, scaled),
+                      withoutOwnPartner(target.given, onto.faces, map),
+                      std::move(completion.places));
   } catch (const std::invalid_argument&) {  // no shape to encode: all in one line
   }
   return map.pair.bent_a;

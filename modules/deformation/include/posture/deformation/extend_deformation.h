@@ -10,9 +10,11 @@ namespace posture {
 
 /// Lays the vertices of a deformed surface of which nothing is known as rigidly as possible among
 /// those around them, which keep their places (Sorkine and Alexa 2007, with constraints).
-/// \param rest    connected, at the scale of `places`.
-/// \param places  n x 3, in any frame; those of free vertices do not matter.
-/// \param is_free  n, non-zero: nothing is known of this vertex. All of them: `places` is returned.
+/// Each region of free vertices is laid by itself. One with no face of known vertices within two
+/// edges keeps the places given.
+/// \param rest    at the scale of `places`.
+/// \param places  n x 3, in any frame.
+/// \param is_free  n, non-zero: nothing is known of this vertex.
 /// \throws std::invalid_argument  sizes that do not fit.
 Points extendDeformation(const TriangleMesh& rest, Points places, const std::vector<char>& is_free);
 
