@@ -23,7 +23,7 @@ constexpr double LEAST_ORIENTATION = 0.2;
 constexpr int MOST_FINALISTS = 8, MOST_LAID = 4;
 
 /// Of different answers so many are tried without what they misplace; how they settle before.
-constexpr int MOST_LET_GO = 8;
+constexpr int MOST_LOOSENED = 8;
 const std::vector<double> LETTING_GO{0.1, 0.3};
 constexpr int SETTLING_ROUNDS = 6;
 
@@ -161,7 +161,7 @@ std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
                                      std::vector<Finalist> finalists) {
   std::vector<Finalist> tried;
   for (int i : distinct)
-    if (static_cast<int>(tried.size()) < MOST_LET_GO && !finalists[i].laid)
+    if (static_cast<int>(tried.size()) < MOST_LOOSENED && !finalists[i].laid)
       tried.push_back(finalists[i]);
   const double softness = settlingSoftness(source.eigenvalues, target.eigenvalues);
   parallelFor(static_cast<int>(tried.size()), [&](int i) {

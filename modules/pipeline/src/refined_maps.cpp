@@ -5,7 +5,6 @@
 #include <posture/core/parallel.h>
 #include <posture/refine/bend.h>
 #include <posture/refine/let_go.h>
-#include <posture/refine/tip_maps.h>
 #include <posture/refine/turn_limbs.h>
 
 #include "by_score.h"
@@ -108,14 +107,13 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
                         target_coarse = target.coarseSurface();
   const BentPair coarse = onCoarse(source, target, map.pair);
   const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
-  const std::vector<int> tips = tipsOf(source.samples);
+  const std::vector<int> tips = source.tips();
   std::vector<std::vector<LimbTurn>> turns(tips.size());
-  const auto vertex = [&](int limb) { return source.sample_vertex[tips[limb]]; };
   const auto withTurns = [&](const std::vector<int>& limbs, const std::vector<double>& shares) {
     RefinedMap turned = map;
     bool any = false;
     for (int i : limbs)
-      any |= turnLimb(source_work, target_work, vertex(i), softness, turns[i], turned.pair);
+      any |= turnLimb(source_work, target_work, tips[i], softness, turns[i], turned.pair);
     if (!any) return turned;
     for (double share : shares)
       settle(source_work, target_work, share * softness, ROUNDS, turned.pair);
@@ -124,12 +122,8 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   };
   std::vector<double> gains(tips.size(), 0);
   parallelFor(static_cast<int>(tips.size()), [&](int i) {
-    turns[i] = likelyTurns(source_coarse,
-                           target_coarse,
-                           source.coarse.nearest[vertex(i)],
-                           softness,
-                           coarse,
-                           MOST_TURNS);
+    turns[i] = likelyTurns(
+        source_coarse, target_coarse, source.coarse.nearest[tips[i]], softness, coarse, MOST_TURNS);
     gains[i] = map.score.total() - withTurns({i}, QUICKLY).score.total();
   });
   std::vector<int> limbs;
@@ -155,11 +149,9 @@ void annealWithEndsRefitted(const RefinedShape& source,
                             BentPair& pair) {
   const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
   anneal(source_work, target_work, softness, pair);
-  for (int tip : tipsOf(source.samples)) {
-    const int vertex = source.sample_vertex[tip];
-    if (pair.apart_a.empty() || !pair.apart_a[vertex])
-      refitLimbEnd(source_work, target_work, vertex, softness, pair);
-  }
+  for (int tip : source.tips())
+    if (pair.apart_a.empty() || !pair.apart_a[tip])
+      refitLimbEnd(source_work, target_work, tip, softness, pair);
   anneal(source_work, target_work, softness, pair);
 }
 
@@ -209,7 +201,7 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
   const MapScore judged = best.score;
   const SpectralSurface& source_work = surfaces.source(best.scale);
   const RefinedShape scaled = rescaled(source, best.scale);
-  if (best.pair.apart_a.empty())
+  if (best.pair.apart_a.empty() && best.pair.apart_b.empty())
     best = withLimbsTurned(scaled, target, source_work, target_work, best);
   annealWithEndsRefitted(scaled, source_work, target_work, best.pair);
   const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);

@@ -5,6 +5,7 @@
 #include <posture/core/error.h>
 #include <posture/embedding/canonical_form.h>
 #include <posture/geodesic/landmarks.h>
+#include <posture/refine/tip_maps.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,12 @@ FacePoint RefinedShape::onMainSurface(const FacePoint& place) const {
   if (parts.empty()) return place;
   const FacePart& part = parts[place.face];
   return {part.face, part.corners * place.barycentric};
+}
+
+std::vector<int> RefinedShape::tips() const {
+  std::vector<int> vertices;
+  for (int tip : tipsOf(samples)) vertices.push_back(sample_vertex[tip]);
+  return vertices;
 }
 
 SpectralSurface RefinedShape::workSurface() const {

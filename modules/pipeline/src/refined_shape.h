@@ -29,6 +29,9 @@ struct RefinedShape {
   /// A place on `full` as one on the main surface.
   FacePoint onMainSurface(const FacePoint& place) const;
 
+  /// The ends of limbs, vertices of `work`.
+  std::vector<int> tips() const;
+
   SpectralSurface workSurface() const;
   SpectralSurface coarseSurface() const;
   Eigen::MatrixXf coarseFunctions() const;

@@ -11,6 +11,9 @@
 
 namespace posture {
 
+/// Share of the area. Where more of a surface is misplaced, not a part is wrong but the map.
+constexpr double MOST_LET_GO = 0.5;
+
 /// The vertices of a around which a map changes distances along the surface by far more than
 /// elsewhere: a head is squeezed onto the neck where the other surface ends there.
 /// \pre  any prefix of a's vertices is spread evenly (as reduceMesh() orders them), and both
