@@ -18,15 +18,15 @@ namespace {
 using test::person;
 
 /// A person without what lies between two distances from the plane of symmetry, along one arm: the
-/// hand is a piece of its own, or gone.
+/// hand is a piece of its own, or gone. \param side  1: the left arm, -1: the right one.
 struct Severed {
-  Severed(const ArticulatedBody& body, double from, double to) {
+  Severed(const ArticulatedBody& body, double from, double to, int side = 1) {
     const Points& rest = body.rest_position;
     std::vector<int> faces;
     for (int f = 0; f < body.mesh.faces.rows(); ++f) {
       const auto face = body.mesh.faces.row(f);
       if (std::none_of(face.begin(), face.end(), [&](int v) {
-            return rest(v, 0) > from && rest(v, 0) < to;
+            return side * rest(v, 0) > from && side * rest(v, 0) < to;
           }))
         faces.push_back(f);
     }
@@ -36,7 +36,7 @@ struct Severed {
     for (auto& [v, number] : of_body) {
       number = static_cast<int>(kept.size());
       kept.push_back(v);
-      is_hand.push_back(rest(v, 0) >= to);
+      is_hand.push_back(side * rest(v, 0) >= to);
     }
     for (int& v : mesh.faces.reshaped()) v = of_body.at(v);
     mesh.vertices = body.mesh.vertices(kept, Eigen::all);
@@ -113,6 +113,23 @@ TEST_F(SeveredArms, aHandThatTheTargetLacksHasNoCounterpart) {
   }
   ASSERT_GT(beyond, 30);
   EXPECT_LT(mapped, 0.2 * beyond);
+}
+
+TEST_F(SeveredArms, anArmIsNotTakenForTheOtherOne) {
+  const Severed source(body_, 0.35 * reach(), 1e9), target(other_, 0.35 * reach(), 1e9, -1);
+  const RegistrationResult result = registerShapes(source.mesh, target.mesh);
+  EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
+  const Outcome body = outcomeOf(result, source, target, false);
+  EXPECT_GT(body.mapped, 0.95 * body.all);
+  EXPECT_LT(body.error, 0.03);
+  int arm = 0, mapped = 0;
+  for (const auto& [v, number] : source.of_body) {
+    if (body_.rest_position(v, 0) > -0.5 * reach()) continue;
+    ++arm;
+    mapped += result.correspondence.on_target[number].vertex >= 0;
+  }
+  ASSERT_GT(arm, 60);
+  EXPECT_LT(mapped, 0.1 * arm);
 }
 
 }  // namespace

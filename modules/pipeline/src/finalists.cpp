@@ -4,6 +4,7 @@
 
 #include <posture/core/parallel.h>
 #include <posture/refine/bend.h>
+#include <posture/refine/grow_anew.h>
 #include <posture/refine/let_go.h>
 
 #include "by_score.h"
@@ -22,10 +23,16 @@ constexpr double LEAST_ORIENTATION = 0.2;
 
 constexpr int MOST_FINALISTS = 8, MOST_LAID = 4;
 
-/// Of different answers so many are tried without what they misplace; how they settle before.
+/// Of different answers so many are tried without what they misplace.
 constexpr int MOST_LOOSENED = 8;
-const std::vector<double> LETTING_GO{0.1, 0.3};
+
+/// How finalists settle before parts of them are laid anew.
+const std::vector<double> SETTLING{0.1, 0.3};
 constexpr int SETTLING_ROUNDS = 6;
+
+/// So many different answers are grown anew, and of what comes of it the best are let go of what
+/// they misplace.
+constexpr std::size_t MOST_GROWN_FROM = 4, MOST_GROWN = 6;
 
 /// So many are bent further, so often at most.
 constexpr int BENT_FURTHER = 16, MOST_FURTHER = 4;
@@ -75,6 +82,44 @@ VertexMaps withPart(const VertexMaps& base, const VertexMaps& donor, const std::
     if (inside[donor.backward[t]] || inside[base.backward[t]])
       mixed.backward[t] = donor.backward[t];
   return mixed;
+}
+
+/// A finalist's map with both surfaces bent.
+BentPair bentPair(const SpectralSurface& source,
+                  const SpectralSurface& target,
+                  double softness,
+                  const Finalist& finalist) {
+  if (finalist.bent) return *finalist.bent;
+  const VertexMaps& maps = finalist.maps;
+  BentPair pair{maps,
+                target.mesh.vertices(maps.forward, Eigen::all),
+                source.mesh.vertices(maps.backward, Eigen::all)};
+  for (double share : SETTLING) settle(source, target, share * softness, SETTLING_ROUNDS, pair);
+  return pair;
+}
+
+/// The finalist with another map, if that looks like one body and keeps the outside out.
+std::optional<Finalist> withMap(const SpectralSurface& source,
+                                const SpectralSurface& target,
+                                BentPair pair,
+                                const MapScore& score,
+                                Finalist finalist) {
+  if (!convinces(score.total())) return {};
+  finalist.orientation = orientation(source, target, pair.maps);
+  if (finalist.orientation <= LEAST_ORIENTATION) return {};
+  finalist.score = score;
+  finalist.maps = pair.maps;
+  finalist.bent = std::move(pair);
+  return finalist;
+}
+
+/// Those that there are, and the others, by increasing score.
+std::vector<Finalist> joined(std::vector<std::optional<Finalist>> some,
+                             std::vector<Finalist> others) {
+  std::vector<Finalist> there;
+  for (std::optional<Finalist>& one : some)
+    if (one) there.push_back(std::move(*one));
+  return joined(std::move(there), std::move(others));
 }
 
 }  // namespace
@@ -164,24 +209,48 @@ std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
     if (static_cast<int>(tried.size()) < MOST_LOOSENED && !finalists[i].laid)
       tried.push_back(finalists[i]);
   const double softness = settlingSoftness(source.eigenvalues, target.eigenvalues);
+  std::vector<std::optional<Finalist>> loose(tried.size());
   parallelFor(static_cast<int>(tried.size()), [&](int i) {
-    Finalist& finalist = tried[i];
-    const VertexMaps& maps = finalist.maps;
-    BentPair pair{maps,
-                  target.mesh.vertices(maps.forward, Eigen::all),
-                  source.mesh.vertices(maps.backward, Eigen::all)};
-    for (double share : LETTING_GO) settle(source, target, share * softness, SETTLING_ROUNDS, pair);
+    BentPair pair = bentPair(source, target, softness, tried[i]);
     const std::optional<MapScore> score = letGo(source, target, softness, SCORE_NOISE, pair);
-    if (!score || !convinces(score->total()) ||
-        !(score->total() < finalist.score.total() - SCORE_NOISE))
-      return;
-    finalist.score = *score;
-    finalist.maps = pair.maps;
-    finalist.bent = std::move(pair);
+    if (score && score->total() < tried[i].score.total() - SCORE_NOISE)
+      loose[i] = withMap(source, target, std::move(pair), *score, tried[i]);
   });
-  tried.erase(std::remove_if(tried.begin(), tried.end(), [](const Finalist& f) { return !f.bent; }),
-              tried.end());
-  return joined(std::move(tried), std::move(finalists));
+  return joined(std::move(loose), std::move(finalists));
+}
+
+std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
+                                         const SpectralSurface& target,
+                                         const std::vector<int>& distinct,
+                                         std::vector<Finalist> finalists) {
+  struct Grown {
+    const Finalist* from;
+    BentPair pair;
+    MapScore score;
+  };
+  const double softness = settlingSoftness(source.eigenvalues, target.eigenvalues);
+  std::vector<Grown> grown;
+  for (std::size_t k = 0; k < std::min(MOST_GROWN_FROM, distinct.size()); ++k) {
+    const Finalist& finalist = finalists[distinct[k]];
+    BentPair pair = bentPair(source, target, softness, finalist);
+    std::vector<ScoredPair> regrown = growAnew(source, target, softness, pair);
+    // What settling alone gains is nothing that growing did.
+    settle(source, target, softness, SETTLING_ROUNDS, pair);
+    const double before =
+        std::min(finalist.score.total(), scoreBent(source, target, pair, false).total());
+    for (ScoredPair& one : regrown)
+      if (one.score.total() < before - SCORE_NOISE)
+        grown.push_back({&finalist, std::move(one.pair), one.score});
+  }
+  sortByScore(grown);
+  grown.resize(std::min(MOST_GROWN, grown.size()));
+  std::vector<std::optional<Finalist>> better(grown.size());
+  parallelFor(static_cast<int>(grown.size()), [&](int i) {
+    auto& [from, pair, score] = grown[i];
+    const std::optional<MapScore> less = letGo(source, target, softness, SCORE_NOISE, pair);
+    better[i] = withMap(source, target, std::move(pair), less.value_or(score), *from);
+  });
+  return joined(std::move(better), std::move(finalists));
 }
 
 std::vector<Finalist> joined(std::vector<Finalist> some, std::vector<Finalist> others) {

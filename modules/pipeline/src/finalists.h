@@ -22,7 +22,7 @@ struct Finalist {
   VertexMaps maps;         ///< between the coarse meshes
   MapScore score;
   double scale = 1;              ///< what the source was multiplied by for it
-  std::optional<BentPair> bent;  ///< the coarse meshes, the source scaled; if laid or let go of
+  std::optional<BentPair> bent;  ///< the coarse meshes, the source scaled; if laid anew
   bool laid = false;             ///< the surfaces were laid over each other
 };
 
@@ -56,6 +56,15 @@ std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
                                      const SpectralSurface& target,
                                      const std::vector<int>& distinct,
                                      std::vector<Finalist> finalists);
+
+/// Finalists, and the best of what comes of keeping a part of the first different ones and laying
+/// the rest anew (growAnew()), where that makes their scores better and what is left looks like one
+/// body. By increasing score.
+/// \param distinct  of the finalists, those that are different.
+std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
+                                         const SpectralSurface& target,
+                                         const std::vector<int>& distinct,
+                                         std::vector<Finalist> finalists);
 
 /// Puts two lists into one, by increasing score.
 std::vector<Finalist> joined(std::vector<Finalist> some, std::vector<Finalist> others);

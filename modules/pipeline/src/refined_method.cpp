@@ -104,13 +104,21 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
     return !finalists.empty() && convinces(finalists.front().score.total());
   };
 
-  // A part that the other side lacks is squeezed onto what there is.
-  if (may_lack)
+  const auto distinct = [&] {
+    return distinctFinalists(finalists, target.mesh, 2 * target_samples.spacing);
+  };
+  // A part that the other side lacks is squeezed onto what there is, and leads what is next to it
+  // astray.
+  if (may_lack) {
     clock.stage("letting go", 0.05, [&] {
-      const std::vector<int> distinct =
-          distinctFinalists(finalists, target.mesh, 2 * target_samples.spacing);
-      finalists = withPartsLetGo(source, target, distinct, std::move(finalists));
+      const std::vector<int> different = distinct();
+      finalists = withPartsLetGo(source, target, different, std::move(finalists));
     });
+    clock.stage("growing anew", 0.05, [&] {
+      const std::vector<int> different = distinct();
+      finalists = withPartsGrownAnew(source, target, different, std::move(finalists));
+    });
+  }
 
   // Where bodies stretch, the right candidate is not among those that change distances least.
   if (!convince())
@@ -253,7 +261,7 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   clock.show([&] { return finalistPictures(source_coarse, target_coarse, finalists, distinct); });
 
   // The best of the leading ones wins.
-  const std::vector<RefinedMap> refined = clock.stage("refinement", 0.27, [&] {
+  const std::vector<RefinedMap> refined = clock.stage("refinement", 0.22, [&] {
     return refineLeading(source.shape, target.shape, finalists, distinct, may_lack);
   });
   const RefinedMap& best = refined.front();
