@@ -135,7 +135,7 @@ TEST(GrowAnew, anArmThatLiesOnTheOtherOneGoesWithItsShoulder) {
   const BentPair wrong = settled(a, b, softness, taken_for);
   ASSERT_GT(shareOfArm([&](int v) { return b.isOnRightArm(wrong.maps.forward[v]); }), 0.9);
 
-  const std::vector<ScoredPair> grown = growAnew(a.surface, b.surface, softness, wrong);
+  const std::vector<ScoredPair> grown = growAnew(a.surface, b.surface, softness, wrong, wrong);
   const BentPair& pair = best(grown).pair;
   EXPECT_LT(best(grown).score.total(), scoreBent(a.surface, b.surface, wrong, false).total());
   const std::vector<char> without = withoutPartner(a.surface, b.surface, pair, false);
@@ -169,7 +169,7 @@ TEST(GrowAnew, aTrunkWoundByHalfATurnGrowsFromTheLegs) {
   const BentPair wrong = settled(a, b, softness, taken_for);
   ASSERT_GT(meanMiss(a, b, wrong, below), 4);
 
-  const std::vector<ScoredPair> grown = growAnew(a.surface, b.surface, softness, wrong);
+  const std::vector<ScoredPair> grown = growAnew(a.surface, b.surface, softness, wrong, wrong);
   EXPECT_LT(best(grown).score.total(), scoreBent(a.surface, b.surface, wrong, false).total());
   EXPECT_LT(meanMiss(a, b, best(grown).pair, nobody), 1);
   EXPECT_LT(best(grown).score.let_go, 0.25);  // the arms, which are raised in the other pose
@@ -180,7 +180,7 @@ TEST(GrowAnew, whatIsRightGrowsBackToWhereItWas) {
   const Figure a = figure(poses.body_a, nothing), b = figure(poses.body_b, nothing);
   const double softness = softnessOf(a);
   const BentPair right = settled(a, b, softness, [](const Place& p) { return p; });
-  const std::vector<ScoredPair> all = growAnew(a.surface, b.surface, softness, right);
+  const std::vector<ScoredPair> all = growAnew(a.surface, b.surface, softness, right, right);
   ASSERT_GT(all.size(), 4U);
   const double before = meanMiss(a, b, right, nobody);
   const auto isBack = [&](const ScoredPair& one) {
@@ -197,7 +197,7 @@ TEST(GrowAnew, whatIsApartIsNotKept) {
   BentPair pair = settled(a, b, softness, [](const Place& p) { return p; });
   pair.apart_a.assign(a.rest.rows(), 1);
   pair.apart_b.assign(b.rest.rows(), 1);
-  EXPECT_TRUE(growAnew(a.surface, b.surface, softness, pair).empty());
+  EXPECT_TRUE(growAnew(a.surface, b.surface, softness, pair, pair).empty());
 }
 
 }  // namespace

@@ -98,6 +98,20 @@ BentPair bentPair(const SpectralSurface& source,
   return pair;
 }
 
+/// Mean distance between where two maps take the vertices that have a counterpart under both.
+double gapBetween(const SpectralSurface& target, const BentPair& x, const BentPair& y) {
+  double sum = 0;
+  int both = 0;
+  for (std::size_t v = 0; v < x.maps.forward.size(); ++v) {
+    if ((!x.apart_a.empty() && x.apart_a[v]) || (!y.apart_a.empty() && y.apart_a[v])) continue;
+    ++both;
+    sum +=
+        (target.mesh.vertices.row(x.maps.forward[v]) - target.mesh.vertices.row(y.maps.forward[v]))
+            .norm();
+  }
+  return sum / std::max(1, both);
+}
+
 /// The finalist with another map, if that looks like one body and keeps the outside out.
 std::optional<Finalist> withMap(const SpectralSurface& source,
                                 const SpectralSurface& target,
@@ -222,6 +236,7 @@ std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
 std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
                                          const SpectralSurface& target,
                                          const std::vector<int>& distinct,
+                                         double gap,
                                          std::vector<Finalist> finalists) {
   struct Grown {
     const Finalist* from;
@@ -230,18 +245,27 @@ std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
   };
   const double softness = settlingSoftness(source.eigenvalues, target.eigenvalues);
   std::vector<Grown> grown;
-  for (std::size_t k = 0; k < std::min(MOST_GROWN_FROM, distinct.size()); ++k) {
+  const std::size_t begun = std::min(MOST_GROWN_FROM, distinct.size());
+  std::vector<BentPair> pairs(begun);
+  std::vector<double> before(begun);
+  parallelFor(static_cast<int>(begun), [&](int k) {
     const Finalist& finalist = finalists[distinct[k]];
-    BentPair pair = bentPair(source, target, softness, finalist);
-    std::vector<ScoredPair> regrown = growAnew(source, target, softness, pair);
+    pairs[k] = bentPair(source, target, softness, finalist);
     // What settling alone gains is nothing that growing did.
-    settle(source, target, softness, SETTLING_ROUNDS, pair);
-    const double before =
-        std::min(finalist.score.total(), scoreBent(source, target, pair, false).total());
-    for (ScoredPair& one : regrown)
-      if (one.score.total() < before - SCORE_NOISE)
-        grown.push_back({&finalist, std::move(one.pair), one.score});
-  }
+    BentPair settled = pairs[k];
+    settle(source, target, softness, SETTLING_ROUNDS, settled);
+    before[k] = std::min(finalist.score.total(), scoreBent(source, target, settled, false).total());
+  });
+  for (std::size_t k = 0; k < begun; ++k)
+    for (ScoredPair& one : growAnew(source, target, softness, pairs.front(), pairs[k])) {
+      // The same answer once more, less of the body mapped, is no better.
+      double known = before[k];
+      for (std::size_t other = 0; other < begun; ++other)
+        if (gapBetween(target, one.pair, pairs[other]) <= gap)
+          known = std::min(known, before[other]);
+      if (one.score.total() < known - SCORE_NOISE)
+        grown.push_back({&finalists[distinct[k]], std::move(one.pair), one.score});
+    }
   sortByScore(grown);
   grown.resize(std::min(MOST_GROWN, grown.size()));
   std::vector<std::optional<Finalist>> better(grown.size());

@@ -60,10 +60,11 @@ std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
 /// Finalists, and the best of what comes of keeping a part of the first different ones and laying
 /// the rest anew (growAnew()), where that makes their scores better and what is left looks like one
 /// body. By increasing score.
-/// \param distinct  of the finalists, those that are different.
+/// \param distinct  of the finalists, those that are different, by more than `gap`.
 std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
                                          const SpectralSurface& target,
                                          const std::vector<int>& distinct,
+                                         double gap,
                                          std::vector<Finalist> finalists);
 
 /// Puts two lists into one, by increasing score.

@@ -104,9 +104,8 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
     return !finalists.empty() && convinces(finalists.front().score.total());
   };
 
-  const auto distinct = [&] {
-    return distinctFinalists(finalists, target.mesh, 2 * target_samples.spacing);
-  };
+  const double gap = 2 * target_samples.spacing;
+  const auto distinct = [&] { return distinctFinalists(finalists, target.mesh, gap); };
   // A part that the other side lacks is squeezed onto what there is, and leads what is next to it
   // astray.
   if (may_lack) {
@@ -116,7 +115,7 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
     });
     clock.stage("growing anew", 0.05, [&] {
       const std::vector<int> different = distinct();
-      finalists = withPartsGrownAnew(source, target, different, std::move(finalists));
+      finalists = withPartsGrownAnew(source, target, different, gap, std::move(finalists));
     });
   }
 

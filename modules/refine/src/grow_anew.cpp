@@ -134,6 +134,7 @@ void takeUpAgain(const SpectralSurface& a,
 std::vector<ScoredPair> growAnew(const SpectralSurface& a,
                                  const SpectralSurface& b,
                                  double softness,
+                                 const BentPair& best,
                                  const BentPair& pair) {
   std::vector<std::vector<char>> rests;
   for (int place : placesFarApart(a, pair.apart_a))
@@ -147,6 +148,7 @@ std::vector<ScoredPair> growAnew(const SpectralSurface& a,
     try {
       BentPair grown = laidAnew(a, b, of_a, of_b, softness, pair);
       takeUpAgain(a, b, pair, softness, grown);
+      takeUpAgain(a, b, best, softness, grown);
       const MapScore score = scoreBent(a, b, grown, false);
       if (score.let_go <= MOST_LET_GO) tried[i] = ScoredPair{std::move(grown), score};
     } catch (const std::runtime_error&) {  // nothing that is kept has a counterpart

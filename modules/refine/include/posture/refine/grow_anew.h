@@ -24,11 +24,14 @@ struct ScoredPair {
 /// \pre  any prefix of a's vertices is spread evenly (as reduceMesh() orders them), and both
 ///       surfaces are in a unit of about the square root of their area.
 /// \param softness  as for anneal().
+/// \param best  the best map known, or `pair`: limbs that the part kept does not lead to are taken
+///        from it where it goes on from what has grown.
 /// \return  one for each part kept, without those that leave more than MOST_LET_GO apart. Which of
 ///          them is right, if any, the score has to tell.
 std::vector<ScoredPair> growAnew(const SpectralSurface& a,
                                  const SpectralSurface& b,
                                  double softness,
+                                 const BentPair& best,
                                  const BentPair& pair);
 
 }  // namespace posture
