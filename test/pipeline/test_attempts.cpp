@@ -36,17 +36,5 @@ TEST(Attempts, aMapThatClosedHolesLedAstrayIsLeft) {
   EXPECT_DOUBLE_EQ(result.correspondence.confidence[0], 0.8);
 }
 
-TEST(Attempts, aMapThatLostAPartWithClosedHolesIsLeft) {
-  RegistrationResult as_given = resultWith(-12, 0.8, 1), patched = resultWith(-12.5, 0.8, 2);
-  for (RegistrationResult* result : {&as_given, &patched}) {
-    const SurfacePoint place = result->correspondence.on_target[0];
-    result->correspondence.on_target.assign(20, place);
-    result->correspondence.confidence = Vector::Constant(20, 0.8);
-  }
-  EXPECT_EQ(withPatchedMap(as_given, patched).correspondence.on_target[0].vertex, 2);
-  patched.correspondence.on_target[3] = patched.correspondence.on_target[4] = {};
-  EXPECT_EQ(withPatchedMap(as_given, patched).correspondence.on_target[0].vertex, 1);
-}
-
 }  // namespace
 }  // namespace posture

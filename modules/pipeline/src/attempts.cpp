@@ -21,10 +21,6 @@ constexpr double SAME_ANSWER = 0.1;
 /// that lead across a face, maps that were astray had lost 1.2 and more.
 constexpr double COST_OF_PATCHES = 1;
 
-/// Maps found with closed holes have more counterparts, up to 9 %; one that has fewer than this of
-/// those found without lost a part of the body.
-constexpr double FEWEST_OF_PATCHED = 0.95;
-
 /// Mean distance between where two answers take what both map; all of the size where they share
 /// less than half.
 double gapBetween(const RegistrationResult& x,
@@ -52,12 +48,7 @@ bool isSameAnswer(const RegistrationResult& x,
 }
 
 RegistrationResult withPatchedMap(RegistrationResult as_given, RegistrationResult patched) {
-  const auto mapped = [](const RegistrationResult& result) {
-    return static_cast<double>(mappedCount(result.correspondence.on_target));
-  };
-  if (patched.score > as_given.score + COST_OF_PATCHES ||
-      mapped(patched) < FEWEST_OF_PATCHED * mapped(as_given))
-    return as_given;
+  if (patched.score > as_given.score + COST_OF_PATCHES) return as_given;
   if (patched.trust > 0) patched.correspondence.confidence *= as_given.trust / patched.trust;
   as_given.correspondence = std::move(patched.correspondence);
   as_given.deformed = std::move(patched.deformed);

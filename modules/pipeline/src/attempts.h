@@ -15,8 +15,7 @@ bool isSameAnswer(const RegistrationResult& x,
 
 /// One answer found twice: the map found with closed holes, which drifts less, with the verdict
 /// found without, as patches differ from pose to pose and blur what tells answers apart. Where
-/// patches led the map astray, so that it scores far worse, or it lost a part of the body, all
-/// stays as found without.
+/// patches led the map astray, so that it scores far worse, all stays as found without.
 RegistrationResult withPatchedMap(RegistrationResult as_given, RegistrationResult patched);
 
 /// Of several attempts at one pair, on different parts of it, the one that scores best, the first

@@ -113,10 +113,12 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
       const std::vector<int> different = distinct();
       finalists = withPartsLetGo(source, target, different, std::move(finalists));
     });
-    clock.stage("growing anew", 0.05, [&] {
-      const std::vector<int> different = distinct();
-      finalists = withPartsGrownAnew(source, target, different, gap, std::move(finalists));
-    });
+    // With holes closed the map is wanted for what it does not lose; its answer is known by then.
+    if (source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0)
+      clock.stage("growing anew", 0.05, [&] {
+        const std::vector<int> different = distinct();
+        finalists = withPartsGrownAnew(source, target, different, gap, std::move(finalists));
+      });
   }
 
   // Where bodies stretch, the right candidate is not among those that change distances least.
