@@ -12,6 +12,7 @@
 #include "verdict.h"
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace posture {
@@ -98,7 +99,8 @@ BentPair bentPair(const SpectralSurface& source,
   return pair;
 }
 
-/// Mean distance between where two maps take the vertices that have a counterpart under both.
+/// Mean distance between where two maps take the vertices that have a counterpart under both;
+/// infinite where there are none.
 double gapBetween(const SpectralSurface& target, const BentPair& x, const BentPair& y) {
   double sum = 0;
   int both = 0;
@@ -109,7 +111,7 @@ double gapBetween(const SpectralSurface& target, const BentPair& x, const BentPa
         (target.mesh.vertices.row(x.maps.forward[v]) - target.mesh.vertices.row(y.maps.forward[v]))
             .norm();
   }
-  return sum / std::max(1, both);
+  return both > 0 ? sum / both : std::numeric_limits<double>::infinity();
 }
 
 /// The finalist with another map, if that looks like one body and keeps the outside out.

@@ -49,8 +49,8 @@ std::vector<Finalist> layFinalists(const SpectralSurface& source,
                                    const SurfacePlaces& target_places);
 
 /// Finalists, and the first different ones of them once more with what they misplace let go of,
-/// where that makes their scores better and what is left looks like one body (convinces()). By
-/// increasing score.
+/// where that makes their scores better, and what is left looks like one body (convinces()) and
+/// keeps the outside out. By increasing score.
 /// \param distinct  of the finalists, those that are different.
 std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
                                      const SpectralSurface& target,
@@ -58,8 +58,8 @@ std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
                                      std::vector<Finalist> finalists);
 
 /// Finalists, and the best of what comes of keeping a part of the first different ones and laying
-/// the rest anew (growAnew()), where that makes their scores better and what is left looks like one
-/// body. By increasing score.
+/// the rest anew (growAnew()), where that scores better than what it came of and than any that is
+/// the same answer, looks like one body and keeps the outside out. By increasing score.
 /// \param distinct  of the finalists, those that are different, by more than `gap`.
 std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
                                          const SpectralSurface& target,
