@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/median.h>
 #include <posture/deformation/arap.h>
 
 #include <Eigen/Core>
@@ -86,11 +87,9 @@ Vector Arap::Impl::cellStiffness(const Points& p) const {
     }
   }
   const Vector strain = (length.array() > 0).select(change.cwiseQuotient(length), 0);
-  std::vector<double> sorted(strain.data(), strain.data() + strain.size());
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double typical = median({strain.data(), strain.data() + strain.size()});
   constexpr double RIGID = 1e-12;  // all of it rigid: no strain stands out
-  return (1 + strain.array() / std::max(RIGID, *middle)).rsqrt();
+  return (1 + strain.array() / std::max(RIGID, typical)).rsqrt();
 }
 
 /// The right-hand side the rotated edges at rest make.

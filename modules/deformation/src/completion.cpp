@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/median.h>
 #include <posture/core/parallel.h>
 #include <posture/deformation/apply_deformation.h>
 #include <posture/deformation/completion.h>
@@ -173,12 +174,7 @@ class Level {
     std::vector<double> off;
     for (int v = 0; v < places_.rows(); ++v)
       if (matches_[v].pulls) off.push_back((matches_[v].place - Vector3d(places_.row(v))).norm());
-    double typical = 1;
-    if (!off.empty()) {
-      const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
-      std::nth_element(off.begin(), middle, off.end());
-      typical = std::max(1.0, 2 * *middle);
-    }
+    const double typical = off.empty() ? 1 : std::max(1.0, 2 * median(std::move(off)));
     belief_.assign(places_.rows(), 0);
     for (int v = 0; v < places_.rows(); ++v) {
       if (!matches_[v].pulls) continue;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/mesh/bridge_pieces.h>
 #include <posture/mesh/connected_parts.h>
-#include <posture/mesh/edges.h>
 #include <posture/mesh/point_index.h>
 
 #include <Eigen/Geometry>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/median.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/vertex_neighbors.h>
 
@@ -76,10 +77,7 @@ double medianEdgeRatio(const TriangleMesh& mesh, const Points& places) {
     const double after = (places.row(e.first) - places.row(e.second)).norm();
     if (before > 0 && after > 0) ratios.push_back(after / before);
   }
-  if (ratios.empty()) return 1;
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
+  return ratios.empty() ? 1 : median(std::move(ratios));
 }
 
 double scaleWithoutNoise(const TriangleMesh& mesh, const Points& places) {

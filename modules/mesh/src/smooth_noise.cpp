@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/median.h>
 #include <posture/core/parallel.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/smooth_noise.h>
@@ -101,10 +102,7 @@ class Smoother {
       const double off_neighbors = std::abs(count * off[v] - around) / length;
       rough.push_back(std::isfinite(off_neighbors) ? off_neighbors : 0);
     }
-    if (rough.empty()) return 0;
-    const auto middle = rough.begin() + static_cast<std::ptrdiff_t>(rough.size()) / 2;
-    std::nth_element(rough.begin(), middle, rough.end());
-    return *middle;
+    return rough.empty() ? 0 : median(std::move(rough));
   }
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/median.h>
 #include <posture/mesh/spikes.h>
 #include <posture/mesh/vertex_neighbors.h>
 
@@ -16,13 +17,6 @@ namespace {
 /// them eleven have more, up to seven, at the sharpest tips; noise moves the neighbours as well.
 constexpr double FAR = 5;
 
-/// The lower one of an even number.
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + (static_cast<std::ptrdiff_t>(values.size()) - 1) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Medians, so that neighbours that are spikes do not count.
 bool isSpike(const Points& vertices, const VertexNeighbors& neighbors, int v) {
   const int *begin = neighbors.begin(v), *end = neighbors.end(v);
@@ -31,14 +25,14 @@ bool isSpike(const Points& vertices, const VertexNeighbors& neighbors, int v) {
   Eigen::RowVector3d middle;
   for (int k = 0; k < 3; ++k) {
     std::transform(begin, end, values.begin(), [&](int w) { return vertices(w, k); });
-    middle[k] = median(values);
+    middle[k] = lowerMedian(values);
   }
   double nearest = std::numeric_limits<double>::infinity();
   for (const int* w = begin; w != end; ++w) {
     values[w - begin] = (vertices.row(*w) - middle).norm();
     nearest = std::min(nearest, (vertices.row(*w) - vertices.row(v)).norm());
   }
-  return nearest > FAR * median(values);
+  return nearest > FAR * lowerMedian(values);
 }
 
 }  // namespace

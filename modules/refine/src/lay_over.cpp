@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/median.h>
 #include <posture/core/parallel.h>
 #include <posture/mesh/normals.h>
 #include <posture/refine/lay_over.h>
@@ -106,9 +107,7 @@ std::vector<Pairing> nearestPairs(const SurfacePlaces& a,
 double medianSquared(const std::vector<Pairing>& pairs) {
   std::vector<double> squared;
   for (const Pairing& p : pairs) squared.push_back(p.squared);
-  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
-  std::nth_element(squared.begin(), middle, squared.end());
-  return std::max(*middle, 1e-12);
+  return std::max(median(std::move(squared)), 1e-12);
 }
 
 /// The similarity that best takes the first of each pair to the second (Horn 1987); a scale of
@@ -189,10 +188,8 @@ void pullRobustly(const BendableSurface& from,
                   Points& bent) {
   const Points goals = rowsAt(to.mesh.vertices, matches);
   const Vector distance = (goals - bent).rowwise().norm();
-  std::vector<double> sorted(distance.data(), distance.data() + distance.size());
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const double usual = 2 * std::max(*middle, 1e-3);
+  const double usual =
+      2 * std::max(median({distance.data(), distance.data() + distance.size()}), 1e-3);
   Vector believed = belief(from, to, matches);
   for (Eigen::Index v = 0; v < distance.size(); ++v) {
     const double r = distance[v] / usual, near = 1 / (1 + r * r);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/median.h>
 #include <posture/core/parallel.h>
 #include <posture/refine/let_go.h>
 
@@ -24,12 +25,6 @@ constexpr double TORN = 0.25, TIMES_USUAL = 3;
 
 /// What is let go of shows what else is held by it alone.
 constexpr int TIMES = 4;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Median relative change of the distances from each of the places to those around it.
 std::vector<double> changesAround(const SpectralSurface& a,

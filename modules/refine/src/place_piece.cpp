@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/median.h>
 #include <posture/core/parallel.h>
 #include <posture/refine/place_piece.h>
 
@@ -196,9 +197,7 @@ class Placer {
       for (int k = 0; k < i; ++k)
         if (piece_(i, k) > 0)
           ratios.push_back(whole_(place.sample[i], place.sample[k]) / piece_(i, k));
-    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-    std::nth_element(ratios.begin(), middle, ratios.end());
-    return std::max(*middle, LEAST_SCALE);
+    return std::max(median(std::move(ratios)), LEAST_SCALE);
   }
 
   const Matrix& piece_;

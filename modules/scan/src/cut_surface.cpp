@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cut_surface.h"
 
+#include <posture/core/median.h>
 #include <posture/mesh/half_edge_mesh.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -74,7 +75,7 @@ class CutFaces {
       }
       std::vector<double> middle(values.size());
       for (std::size_t i = 0; i < values.size(); ++i)
-        if (!values[i].empty()) middle[i] = median(std::move(values[i]));
+        if (!values[i].empty()) middle[i] = lowerMedian(std::move(values[i]));
       return middle;
     };
     const std::vector<double> edges =

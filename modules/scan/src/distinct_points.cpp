@@ -4,6 +4,7 @@
 
 #include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
+#include <posture/core/median.h>
 #include <posture/mesh/moment_axes.h>
 
 #include <algorithm>
@@ -56,12 +57,6 @@ std::vector<int> firstRows(const Points& points,
   return firsts;
 }
 
-double medianOf(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Centre and extent, whatever the size of the numbers: a power of two, which costs them no digit.
 ScanFrame roughFrame(const Points& points) {
   ScanFrame frame;
@@ -70,7 +65,7 @@ ScanFrame roughFrame(const Points& points) {
   const std::size_t most = values.size() - 1 - values.size() / 20;
   for (int k = 0; k < 3; ++k) {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = points(i, k);
-    frame.center[k] = medianOf(values);
+    frame.center[k] = median(values);
     for (double& value : values) value = std::abs(value - frame.center[k]);
     std::nth_element(values.begin(), values.begin() + most, values.end());
     extent = std::max(extent, values[most]);
@@ -110,7 +105,7 @@ ScanFrame frameOf(const Points& given, std::vector<int>& rows) {
   points.rowwise() -= center;
   const Vector distance = points.rowwise().norm();
   std::vector<double> distances(distance.begin(), distance.end());
-  const double middle = std::max(medianOf(distances), 1e-9);
+  const double middle = std::max(median(distances), 1e-9);
   // Smooth weights (Tukey's biweight): no point is in or out by a rounding error.
   constexpr double REACH = 4;
   const Vector weight = (1 - (distance.array() / (REACH * middle)).square()).cwiseMax(0).square();

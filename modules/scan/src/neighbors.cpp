@@ -73,21 +73,6 @@ NeighborTable NeighborSearch::table(int count) const {
   return table;
 }
 
-NeighborTable restrict(const NeighborTable& table, const std::vector<char>& keep) {
-  std::vector<int> number(keep.size(), -1);
-  int kept = 0;
-  for (std::size_t i = 0; i < keep.size(); ++i)
-    if (keep[i]) number[i] = kept++;
-  NeighborTable smaller = NeighborTable::Constant(kept, table.cols(), -1);
-  forEach(static_cast<int>(keep.size()), [&](int i) {
-    if (!keep[i]) return;
-    int column = 0;
-    for (int j : table.row(i))
-      if (j >= 0 && keep[j]) smaller(number[i], column++) = number[j];
-  });
-  return smaller;
-}
-
 int neighborCount(const NeighborTable& table, int row) {
   int count = static_cast<int>(table.cols());
   while (count > 0 && table(row, count - 1) < 0) --count;

@@ -36,9 +36,6 @@ class NeighborSearch {
   std::unique_ptr<const Tree> tree_;
 };
 
-/// The rows and entries of kept points, renumbered.
-NeighborTable restrict(const NeighborTable& table, const std::vector<char>& keep);
-
 /// Entries of a row before the padding.
 int neighborCount(const NeighborTable& table, int row);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "normals.h"
 
+#include <posture/core/median.h>
 #include <posture/core/parallel.h>
 
 #include "local_plane.h"
@@ -31,8 +32,8 @@ EstimatedNormals planesOfTen(const Points& points,
     residuals[i] = fit.residual;
     relative[i] = fit.residual / spacing.at[i];
   });
-  estimated.residual = median(std::move(residuals));
-  estimated.relative_residual = median(std::move(relative));
+  estimated.residual = lowerMedian(std::move(residuals));
+  estimated.relative_residual = lowerMedian(std::move(relative));
   return estimated;
 }
 

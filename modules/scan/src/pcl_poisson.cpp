@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/core/error.h>
 #include <posture/core/parallel.h>
 #include <posture/mesh/normals.h>
 #include <posture/mesh/point_index.h>

@@ -13,7 +13,6 @@
 #include <vector>
 
 namespace posture {
-namespace {}  // namespace
 
 struct MeshLocator::Tree {
   struct Node {

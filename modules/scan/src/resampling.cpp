@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "resampling.h"
 
+#include <posture/core/median.h>
 #include <posture/core/parallel.h>
 
 #include "local_plane.h"
@@ -33,7 +34,7 @@ double relativeThickness(const Points& points, const NeighborSearch& search, int
     }
     thickness[s] = radius > 0 ? plane.fit().residual / radius : 0;
   });
-  return median(std::move(thickness));
+  return lowerMedian(std::move(thickness));
 }
 
 }  // namespace

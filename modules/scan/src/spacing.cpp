@@ -2,18 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "spacing.h"
 
+#include <posture/core/median.h>
 #include <posture/core/parallel.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace posture {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + (static_cast<std::ptrdiff_t>(values.size()) - 1) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 Spacing spacing(const Points& points, const NeighborTable& neighbors) {
   const int n = static_cast<int>(points.rows());
@@ -24,12 +19,12 @@ Spacing spacing(const Points& points, const NeighborTable& neighbors) {
     const double radius = (points.row(neighbors(i, count - 1)) - points.row(i)).norm();
     sides[i] = radius * std::sqrt(M_PI / count);
   });
-  Spacing result{std::vector<double>(n), median(sides)};
+  Spacing result{std::vector<double>(n), lowerMedian(sides)};
   forEach(n, [&](int i) {
     std::vector<double> around{sides[i]};
     for (int k = 0; k < std::min(16, neighborCount(neighbors, i)); ++k)
       around.push_back(sides[neighbors(i, k)]);
-    result.at[i] = median(std::move(around));
+    result.at[i] = lowerMedian(std::move(around));
   });
   return result;
 }

@@ -8,9 +8,6 @@
 
 namespace posture {
 
-/// Median; the lower one of an even number. \pre  not empty.
-double median(std::vector<double> values);
-
 /// Spacing h of points on a surface: each stands for an area of h^2, from the radius that holds 16
 /// neighbours. The distance to the nearest neighbour would be far less where views overlap.
 struct Spacing {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/median.h>
 #include <posture/geodesic/landmarks.h>
 #include <posture/mesh/edges.h>
 #include <posture/segmentation/rigid_segments.h>
@@ -230,10 +231,7 @@ Eigen::Isometry3d robustMotion(const TriangleMesh& rest,
             (motion * Vector3d(rest.vertices.row(v)) - Vector3d(pose.row(v))).squaredNorm();
       }
     }
-    std::vector<double> sorted = misfit;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    const double typical = std::max(*middle, 1e-20);  // exact where it is all rigid
+    const double typical = std::max(median(misfit), 1e-20);  // exact where it is all rigid
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const double ratio = 1 + misfit[i] / typical;
       factor[i] = 1 / (ratio * ratio);  // Geman and McClure

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sliding_fit.h"
 
+#include <posture/core/median.h>
 #include <posture/mesh/nearest_in_triangle.h>
 #include <posture/mesh/normals.h>
 
@@ -27,10 +28,8 @@ double squaredDistance(const Vector3d& across, const Vector3d& whole, double alo
 
 /// Factors on the weights of vertices that are that far off, squared.
 std::vector<double> factorsOf(const std::vector<double>& off) {
-  std::vector<double> sorted = off, factors;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const double typical = std::max(*middle, 1e-20);  // exact where it is all rigid
+  const double typical = std::max(median(off), 1e-20);  // exact where it is all rigid
+  std::vector<double> factors;
   for (const double o : off) factors.push_back(std::pow(1 + o / typical, -2));
   return factors;
 }

@@ -23,8 +23,7 @@ namespace posture {
 ///   ends.
 /// - Vertices outside their polygon have negative weights, by angles with sign (Hormann and
 ///   Floater 2006); a vertex on a side has those of the side's ends.
-/// - Where that is no sound frame - the ring is folded or nearly collinear (its area vector is
-/// short
+/// - Where that is no sound frame - the ring is folded or nearly collinear (its area vector short
 ///   beside its faces or its radius), has two vertices only, or the weights cancel (absolute values
 ///   sum to more than 5), or the mesh is no manifold at the vertex - the polygon is a triangle: the
 ///   neighbour farthest from the neighbours' centroid, the one farthest from that, the one farthest

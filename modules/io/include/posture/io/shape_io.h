@@ -8,8 +8,9 @@
 
 namespace posture {
 
-/// Reads a shape as its file has it, every point in order: every format of readMesh; PCD (0.5 to 0.7: ASCII, binary, binary_compressed); and tables
-/// of numbers, told by the ending .xyz, .txt, .csv, .asc, .pts, .xyzn or .xyzrgb.
+/// Reads a shape as its file has it, every point in order: every format of readMesh; PCD (0.5 to
+/// 0.7: ASCII, binary, binary_compressed); and tables of numbers, told by the ending .xyz, .txt,
+/// .csv, .asc, .pts, .xyzn or .xyzrgb.
 ///
 /// A cloud's point with a coordinate that is not finite, be it NaN or infinite (some sensors say so
 /// where nothing is in reach), was not seen: its row is kept, as three NaN. In a mesh it is an
@@ -37,8 +38,9 @@ Shape readShape(const std::filesystem::path& path);
 /// Writes PCD (binary, single precision as PCL's own points have it), PLY (binary, double
 /// precision) or XYZ (text that reads back as the same numbers, with a line of names where there is
 /// more than positions) by the path's ending; whole or not at all. Grid and sensor are kept in PCD
-/// only. \throws InputError  cannot be written; std::invalid_argument  another ending, or parts of
-/// the
+/// only.
+///
+/// \throws InputError  cannot be written; std::invalid_argument  another ending, or parts of the
 ///         cloud that do not go together.
 void writePointCloud(const std::filesystem::path& path, const PointCloud& cloud);
 

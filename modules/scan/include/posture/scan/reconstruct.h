@@ -64,8 +64,11 @@ struct ScanSurface {
 /// A triangle mesh through the points of a scan. Points without noise are themselves its vertices.
 /// All scales come from the points; the same points in another order, or moved, give the same mesh
 /// up to rounding. Faces are counter-clockwise seen from outside: from the sensor where known, else
-/// as the grid of a depth image is seen, else away from the inside of the body. \throws InputError
-/// no finite point; too few different points; all on one line; no surface.
+/// as the grid of a depth image is seen, else away from the inside of the body.
+///
+/// \throws InputError  no finite point; too few different points; all on one line; no surface;
+/// std::invalid_argument  normals that are not one a point, a grid of negative width;
+/// std::runtime_error  PCL's method is asked for and its library is not installed.
 ScanSurface reconstruct(const PointCloud& cloud, const ReconstructionOptions& options = {});
 
 }  // namespace posture
