@@ -199,6 +199,34 @@ TEST(CleanMesh, refusesMeshesWithoutSurface) {
   }
 }
 
+TEST(CornerPlaces, countsAPlaceOnceHoweverOftenTheFileHasIt) {
+  const TriangleMesh sphere = test::sphere(1);
+  const int n = static_cast<int>(sphere.vertices.rows());
+  TriangleMesh soup{Points(3 * sphere.faces.rows(), 3), Faces(sphere.faces.rows(), 3)};
+  for (int i = 0; i < soup.vertices.rows(); ++i) {
+    soup.vertices.row(i) = sphere.vertices.row(sphere.faces(i / 3, i % 3));
+    soup.faces(i / 3, i % 3) = i;
+  }
+  EXPECT_EQ(cornerPlaces(sphere, n), n);
+  EXPECT_EQ(cornerPlaces(soup, static_cast<int>(soup.vertices.rows())), n);
+  TriangleMesh more = sphere;  // a point in no face, and a patch's vertex
+  more.vertices.conservativeResize(n + 2, 3);
+  more.vertices.bottomRows(2) << 5, 5, 5, 6, 6, 6;
+  more.faces(0, 0) = n + 1;
+  EXPECT_EQ(cornerPlaces(more, n + 1), n);
+}
+
+TEST(CleanMesh, aSeamTooFineForSinglePrecisionIsOffTheMainSurface) {
+  TriangleMesh mesh = test::sphere(2);
+  const int n = static_cast<int>(mesh.vertices.rows());
+  mesh.vertices.conservativeResize(n + 3, 3);
+  mesh.vertices.bottomRows(3) = mesh.vertices.topRows(3).array() + 1e-12;
+  mesh.faces.conservativeResize(mesh.faces.rows() + 1, 3);
+  mesh.faces.bottomRows(1) << n, n + 1, n + 2;
+  const CleanMesh clean = cleanMesh(mesh);
+  for (int v = n; v < n + 3; ++v) EXPECT_GT(clean.offset[v], 0);
+}
+
 TEST(CleanMesh, refusesWhatIsNoMesh) {
   for (const int corner : {-1, 1000000}) {
     TriangleMesh mesh = test::sphere(1);

@@ -163,9 +163,10 @@ void attachLooseVertices(const Points& vertices, CleanMesh& clean) {
   const PointIndex index(clean.mesh.vertices);
   for (int v = 0; v < vertices.rows(); ++v) {
     if (clean.clean_vertex[v] >= 0) continue;
-    const auto nearest = index.nearest(vertices.row(v));
-    clean.clean_vertex[v] = nearest.index;
-    clean.offset[v] = nearest.distance;
+    const int nearest = index.nearest(vertices.row(v)).index;
+    clean.clean_vertex[v] = nearest;
+    // Not the distance of the index, in whose single precision it may be 0.
+    clean.offset[v] = (vertices.row(v) - clean.mesh.vertices.row(nearest)).norm();
   }
 }
 
@@ -217,6 +218,14 @@ CleanMesh cleanMesh(const TriangleMesh& input) {
   attachLooseVertices(input.vertices, clean);
   keepPieces(welded, parts, clean);
   return clean;
+}
+
+int cornerPlaces(const TriangleMesh& mesh, int vertices) {
+  const std::vector<int> first = weld(mesh.vertices.topRows(vertices));
+  std::vector<char> is_corner(vertices, 0);
+  for (int v : mesh.faces.reshaped())
+    if (v < vertices) is_corner[first[v]] = 1;
+  return static_cast<int>(std::count(is_corner.begin(), is_corner.end(), 1));
 }
 
 }  // namespace posture

@@ -45,4 +45,7 @@ struct CleanMesh {
 /// requireMesh().
 CleanMesh cleanMesh(const TriangleMesh& input);
 
+/// How many different places corners of faces are in, of the first `vertices` vertices.
+int cornerPlaces(const TriangleMesh& mesh, int vertices);
+
 }  // namespace posture

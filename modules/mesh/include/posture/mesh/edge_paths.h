@@ -28,7 +28,8 @@ class EdgePaths {
  private:
   struct Ways;
   template <class Arrival>
-  Ways search(const std::vector<int>& from, double most, const Arrival& arrival) const;
+  Ways search(const std::vector<int>& from, const Arrival& arrival) const;
+  double length(int v, int w) const;
 
   const TriangleMesh& mesh_;
   VertexNeighbors neighbors_;
