@@ -22,6 +22,24 @@ namespace fs = std::filesystem;
 
 std::string alternativeName(std::size_t k) { return "alternative-" + std::to_string(k); }
 
+/// No value where the file is not there or no JSON.
+nlohmann::json readIfThere(const fs::path& path) {
+  std::ifstream file(path);
+  return nlohmann::json::parse(file, nullptr, false);
+}
+
+/// Takes a file of an earlier result out of its folder; what cannot be removed is written over, or
+/// that fails and says why.
+void removeFrom(const fs::path& folder, const fs::path& name, const std::vector<fs::path>& except) {
+  const fs::path path = folder / name;
+  std::error_code error;
+  if (name != name.filename() || !fs::is_regular_file(path, error)) return;
+  if (std::none_of(except.begin(), except.end(), [&](const fs::path& kept) {
+        return fs::equivalent(path, kept, error);
+      }))
+    fs::remove(path, error);
+}
+
 }  // namespace
 
 void writeColored(const fs::path& path,
@@ -70,23 +88,21 @@ std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationR
 }
 
 void removeResultFiles(const fs::path& folder, const std::vector<fs::path>& except) {
-  const fs::path report_path = folder / "report.json";
-  std::ifstream file(report_path);
-  const nlohmann::json report = nlohmann::json::parse(file, nullptr, false);
-  file.close();
-  const auto remove = [&](const fs::path& name) {
-    const fs::path path = folder / name;
-    std::error_code error;  // what cannot be removed is written over, or that fails and says why
-    if (name != name.filename() || !fs::is_regular_file(path, error)) return;
-    if (std::none_of(except.begin(), except.end(), [&](const fs::path& kept) {
-          return fs::equivalent(path, kept, error);
-        }))
-      fs::remove(path, error);
-  };
-  remove("report.json");  // first: without it the folder is no result
-  remove("report.html");
+  const nlohmann::json report = readIfThere(folder / "report.json");
+  removeFrom(folder, "report.json", except);  // first: without it the folder is no result
+  removeFrom(folder, "report.html", except);
   if (!report.is_object() || !report.contains("files") || !report["files"].is_object()) return;
-  for (const auto& listed : report["files"].items()) remove(listed.key());
+  for (const auto& listed : report["files"].items()) removeFrom(folder, listed.key(), except);
+}
+
+void removeSegmentFiles(const fs::path& folder, const std::vector<fs::path>& except) {
+  const nlohmann::json segments = readIfThere(folder / "segments.json");
+  if (!segments.is_object()) return;
+  for (const char* name : {"segments.json", "segments.csv", "segments.ply"})
+    removeFrom(folder, name, except);
+  for (const auto& pose : segments.value("poses", nlohmann::json::array()))
+    if (pose.is_object() && pose.contains("colored") && pose["colored"].is_string())
+      removeFrom(folder, pose["colored"].get<std::string>(), except);
 }
 
 void writeSurfaceLink(const fs::path& path, const ScanSurface& surface) {

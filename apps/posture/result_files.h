@@ -31,6 +31,10 @@ void writeResultFiles(const std::filesystem::path& folder,
 void removeResultFiles(const std::filesystem::path& folder,
                        const std::vector<std::filesystem::path>& except);
 
+/// The same for what `segment` wrote: segments.json first, then what it lists.
+void removeSegmentFiles(const std::filesystem::path& folder,
+                        const std::vector<std::filesystem::path>& except);
+
 /// A mesh stays a mesh, a cloud a cloud.
 void writeColored(const std::filesystem::path& path,
                   const Points& points,

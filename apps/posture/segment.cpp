@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/core/error.h>
 #include <posture/io/atomic_file.h>
 #include <posture/io/shape_io.h>
 #include <posture/pipeline/segment_shape.h>
@@ -116,6 +115,25 @@ void writeLabels(const fs::path& path, const std::vector<int>& label) {
   file.commit();
 }
 
+/// segments.json last: with it the folder is a result.
+void writeFiles(const fs::path& folder,
+                const Shape& reference,
+                const RegisteredPoses& poses,
+                const ShapeSegments& segments,
+                const std::string& described) {
+  const Colors colors = writeSegments(folder / "segments.ply", reference, segments);
+  writeLabels(folder / "segments.csv", segments.label);
+  for (std::size_t k = 0; k < poses.files.size(); ++k) {
+    const Shape& pose = poses.files[k].shape;
+    writeColored(folder / poseFile(k),
+                 pose.cloud.points,
+                 pose.faces,
+                 transferColors(
+                     colors, poses.results[k].correspondence, pose, poses.results[k].target_scan));
+  }
+  writeText(folder / "segments.json", described);
+}
+
 void segmentVerb(const SegmentOptions& options, Common& common) {
   ProgressBar bar(common.quiet);
   bar.show("reading", 0);
@@ -131,25 +149,18 @@ void segmentVerb(const SegmentOptions& options, Common& common) {
     const auto& [path, reason] = poses.left_out.front();
     std::fprintf(stderr, "posture: %s: %s\n", path.c_str(), reason.c_str());
   }
-  if (poses.results.empty()) return;
-
-  const ShapeSegments segments = segmentShape(reference.shape, poses.results);
+  std::vector<fs::path> inputs = options.poses;
+  inputs.push_back(options.reference);
+  removeSegmentFiles(options.folder, inputs);  // no mix of two results
+  const bool any = !poses.results.empty();
+  const ShapeSegments segments =
+      any ? segmentShape(reference.shape, poses.results) : ShapeSegments{};
   const std::string described =
       describe(options, poses, segments).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-  const Colors colors = writeSegments(options.folder / "segments.ply", reference.shape, segments);
-  writeLabels(options.folder / "segments.csv", segments.label);
-  for (std::size_t k = 0; k < poses.files.size(); ++k) {
-    const Shape& pose = poses.files[k].shape;
-    writeColored(options.folder / poseFile(k),
-                 pose.cloud.points,
-                 pose.faces,
-                 transferColors(
-                     colors, poses.results[k].correspondence, pose, poses.results[k].target_scan));
-  }
-  writeText(options.folder / "segments.json", described);
+  if (any) writeFiles(options.folder, reference.shape, poses, segments, described);
   if (common.json)
     std::printf("%s", described.c_str());
-  else if (!common.quiet)
+  else if (any && !common.quiet)
     std::printf("%d %s almost rigidly over %zu %s\n",
                 segments.parts.count,
                 segments.parts.count == 1 ? "part that moves" : "parts that move",

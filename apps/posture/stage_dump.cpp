@@ -14,7 +14,10 @@ namespace {
 
 Colors colorsOf(const StagePicture& picture) {
   if (picture.place.rows() > 0) return placeColors(picture.place);
-  if (picture.value.size() > 0) return errorColors(picture.value, picture.value.maxCoeff());
+  if (picture.value.size() > 0) {
+    const double least = picture.value.minCoeff(), range = picture.value.maxCoeff() - least;
+    return errorColors(picture.value.array() - least, range > 0 ? range : 1);
+  }
   return {};
 }
 

@@ -11,7 +11,9 @@
 
 #include "apps/program.h"
 #include "support/shapes.h"
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <set>
@@ -56,6 +58,12 @@ class Segment : public testing::Test {
     folder_ = std::make_unique<TemporaryFolder>();
     writeMesh(at("rest.ply"), body(0).mesh);
     writeMesh(at("pose.off"), body(2).mesh);
+    // An earlier result, of more poses.
+    fs::create_directory(at("mesh"));
+    std::ofstream(at("mesh") + "/segments.json")
+        << R"({"poses": [{}, {"colored": "pose-2_segments.ply"}, {"colored": "../rest.ply"}]})";
+    std::ofstream(at("mesh") + "/pose-2_segments.ply") << "ply\n";
+    std::ofstream(at("mesh") + "/notes.txt") << "mine\n";
     of_mesh_ =
         test::run(POSTURE, {"segment", at("rest.ply"), at("pose.off"), "-o", at("mesh"), "--json"});
   }
@@ -80,6 +88,13 @@ TEST_F(Segment, givesEveryVertexAPartAndEveryPartItsMotion) {
   ASSERT_EQ(said.at("poses").size(), 1u);
   ASSERT_EQ(said.at("poses")[0].at("motions").size(), count);
   EXPECT_EQ(said.at("left_out").size(), 0u);
+}
+
+TEST_F(Segment, leavesNothingOfAnEarlierResult) {
+  EXPECT_FALSE(fs::exists(at("mesh") + "/pose-2_segments.ply"));
+  EXPECT_TRUE(fs::exists(at("mesh") + "/pose-1_segments.ply"));
+  EXPECT_TRUE(fs::exists(at("mesh") + "/notes.txt"));
+  EXPECT_TRUE(fs::exists(at("rest.ply")));
 }
 
 TEST_F(Segment, itsMotionsTakeThePartsToThePose) {
@@ -135,10 +150,13 @@ TEST_F(Segment, coloursPartsOnBothBodies) {
 TEST_F(Segment, leavesOutWhatIsNotTheSameBody) {
   writeMesh(at("ball.ply"), test::sphere(3));
   const ProgramRun ended =
-      test::run(POSTURE, {"segment", at("rest.ply"), at("ball.ply"), "-o", at("none")});
+      test::run(POSTURE, {"segment", at("rest.ply"), at("ball.ply"), "-o", at("none"), "--json"});
   EXPECT_EQ(ended.exit_code, 1);
-  EXPECT_TRUE(test::saidWhyInOneLine(ended)) << ended.out << ended.err;
   EXPECT_THAT(ended.err, HasSubstr("ball.ply"));
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+  const json said = json::parse(ended.out);
+  EXPECT_EQ(said.at("count"), 0);
+  EXPECT_EQ(said.at("left_out")[0].at("file"), at("ball.ply"));
   EXPECT_TRUE(fs::is_empty(at("none")));
 }
 
