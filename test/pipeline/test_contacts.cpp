@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/clean_mesh.h>
 #include <posture/mesh/edge_paths.h>
 #include <posture/mesh/handles.h>
 #include <posture/pipeline/register_shapes.h>
@@ -235,10 +236,11 @@ TEST(RegisterShapes, EndsInEitherAttemptWhereItsObserverSaysSo) {
 
 TEST(RegisterShapes, FindsItsWayThoughTheTargetIsGrownTogether) {
   const ArticulatedBody source = person(0), target = person(3, 1);
+  const TriangleMesh fused = grownTogether(target).mesh;
   std::set<std::string> stages, pictures;
   double progress = 0;
   const RegistrationResult result =
-      registerShapes(source.mesh, grownTogether(target).mesh, {}, [&](const StageEvent& event) {
+      registerShapes(source.mesh, fused, {}, [&](const StageEvent& event) {
         EXPECT_GE(event.progress, progress);
         progress = event.progress;
         if (!event.pictures) {
@@ -252,6 +254,7 @@ TEST(RegisterShapes, FindsItsWayThoughTheTargetIsGrownTogether) {
       });
   EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
   EXPECT_EQ(result.target.parted_contacts, 1);
+  EXPECT_EQ(result.target.clean_vertices, cleanMesh(fused).mesh.vertices.rows());  // all of it
   EXPECT_LT(meanError(result, source, target), 0.03);
   EXPECT_LE(progress, 1);
   EXPECT_EQ(stages.count("parted refinement"), 1);

@@ -49,7 +49,8 @@ bool isSameAnswer(const RegistrationResult& x,
 
 RegistrationResult withPatchedMap(RegistrationResult as_given, RegistrationResult patched) {
   if (patched.score > as_given.score + COST_OF_PATCHES) return as_given;
-  if (patched.trust > 0) patched.correspondence.confidence *= as_given.trust / patched.trust;
+  if (patched.trust > as_given.trust) return patched;
+  setTrust(as_given.trust, patched);
   as_given.correspondence = std::move(patched.correspondence);
   as_given.deformed = std::move(patched.deformed);
   as_given.back = std::move(patched.back);
@@ -86,7 +87,7 @@ RegistrationResult bestAttempt(std::vector<RegistrationResult> attempts,
   AlternativeSummary other = rival->alternatives[rival->chosen];
   other.gap = gap;
   if (options.refine_alternatives) other.correspondence = rival->correspondence;
-  addRival(std::move(other), result);
+  addRival(std::move(other), rival->trust, result);
   return result;
 }
 

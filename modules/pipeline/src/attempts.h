@@ -14,8 +14,9 @@ bool isSameAnswer(const RegistrationResult& x,
                   const TriangleMesh& target);
 
 /// One answer found twice: the map found with closed holes, which drifts less, with the verdict
-/// found without, as patches differ from pose to pose and blur what tells answers apart. Where
-/// patches led the map astray, so that it scores far worse, all stays as found without.
+/// that trusts it more. Patches differ from pose to pose and blur what tells answers apart; long
+/// rims, as between few views of a body, hide that two shapes are one. Where patches led the map
+/// astray, so that it scores far worse, all stays as found without.
 RegistrationResult withPatchedMap(RegistrationResult as_given, RegistrationResult patched);
 
 /// Of several attempts at one pair, on different parts of it, the one that scores best, the first

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contacts.h"
 
-#include <posture/core/error.h>
 #include <posture/core/parallel.h>
 #include <posture/deformation/reduce_mesh.h>
 #include <posture/mesh/edge_paths.h>

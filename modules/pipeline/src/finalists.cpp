@@ -8,7 +8,6 @@
 #include <posture/refine/let_go.h>
 
 #include "by_score.h"
-#include "refined_maps.h"
 #include "verdict.h"
 #include <algorithm>
 #include <iterator>

@@ -6,8 +6,8 @@
 #include <posture/matching/consistency.h>
 
 #include "hypothesis.h"
-#include "prepare.h"
 #include "published_result.h"
+#include "published_samples.h"
 
 namespace posture {
 

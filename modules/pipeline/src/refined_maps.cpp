@@ -211,9 +211,4 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
   return refined;
 }
 
-double settlingSoftness(const Vector& eigenvalues_a, const Vector& eigenvalues_b) {
-  const auto k = std::min(eigenvalues_a.size(), eigenvalues_b.size());
-  return 0.5 * (eigenvalues_a[k - 1] + eigenvalues_b[k - 1]);
-}
-
 }  // namespace posture

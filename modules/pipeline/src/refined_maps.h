@@ -30,8 +30,4 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const std::vector<const Finalist*>& finalists,
                                         bool may_lack);
 
-/// How soft surfaces are when they settle, on any resolution: as the finest eigenfunctions are.
-/// From the eigenvalues of both shapes.
-double settlingSoftness(const Vector& eigenvalues_a, const Vector& eigenvalues_b);
-
 }  // namespace posture

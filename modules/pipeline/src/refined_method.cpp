@@ -18,7 +18,6 @@
 #include "way_back.h"
 #include "whole_source.h"
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace posture {
@@ -34,6 +33,7 @@ AlternativeSummary summarize(const Finalist& finalist) {
   summary.curvature = finalist.score.curvature;
   summary.distortion = finalist.score.distortion;
   summary.return_miss = finalist.score.return_miss;
+  summary.let_go = finalist.score.let_go;
   summary.score = finalist.score.total();
   return summary;
 }
@@ -54,9 +54,11 @@ int nearestAnswer(const std::vector<AlternativeSummary>& alternatives) {
   return static_cast<int>(nearest - alternatives.begin());
 }
 
-/// The same for a side, its parts and with its holes closed, so that scores of all can be compared.
+/// The same for a side, its parts and with its holes closed, so that scores of all can be compared,
+/// and however often the file has a vertex.
 int vertexCount(const GivenShape& given, const RefinedShape& shape) {
-  return shape.parts.empty() ? given.ownVertices() : static_cast<int>(shape.full.vertices.rows());
+  return shape.parts.empty() ? cornerPlaces(given.input, given.ownVertices())
+                             : static_cast<int>(shape.full.vertices.rows());
 }
 
 /// Evenly spread subsets of the vertices: all with all can be compared on them. A source much
@@ -109,13 +111,13 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
   // A part that the other side lacks is squeezed onto what there is, and leads what is next to it
   // astray.
   if (may_lack) {
-    clock.stage("letting go", 0.05, [&] {
+    clock.stage("letting go", 0.03, [&] {
       const std::vector<int> different = distinct();
       finalists = withPartsLetGo(source, target, different, std::move(finalists));
     });
     // With holes closed the map is wanted for what it does not lose; its answer is known by then.
     if (source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0)
-      clock.stage("growing anew", 0.05, [&] {
+      clock.stage("growing anew", 0.03, [&] {
         const std::vector<int> different = distinct();
         finalists = withPartsGrownAnew(source, target, different, gap, std::move(finalists));
       });
@@ -123,7 +125,7 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
 
   // Where bodies stretch, the right candidate is not among those that change distances least.
   if (!convince())
-    clock.stage("tips", 0.05, [&] {
+    clock.stage("tips", 0.03, [&] {
       finalists = joined(std::move(finalists),
                          registered(tipMaps(source_samples, target_samples, MOST_TIP_MAPS)));
       bendFurther(source, target, finalists);
@@ -131,7 +133,7 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
 
   // Spectra and scale go astray where much is missing; surfaces laid over each other do not.
   if (!convince())
-    clock.stage("laying over", 0.05, [&] {
+    clock.stage("laying over", 0.03, [&] {
       finalists = joined(
           std::move(finalists),
           layFinalists(source, target, source_side.coarsePlaces(), target_side.coarsePlaces()));
@@ -197,19 +199,17 @@ void refineAlternatives(const PosedSide& source,
   for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
     if (static_cast<int>(k) == result.chosen) continue;
     AlternativeSummary& other = result.alternatives[k];
-    const double likelihood = std::exp(std::min(0.0, -marginBefore(result, other)));
+    // Alone, as the best is: what is refined beside others is left before its limbs are looked at.
     const RefinedMap* known = refined.of(answers[k]);
+    const int finalist = known != nullptr ? known->finalist : answers[k];
     const RefinedMap map =
-        known != nullptr
-            ? *known
-            : refineFinalists(source.shape, target.shape, {&finalists[answers[k]]}, may_lack)
-                  .front();
+        refineFinalists(source.shape, target.shape, {&finalists[finalist]}, may_lack).front();
     other.correspondence = correspondenceOf(source.given,
                                             source.shape,
                                             target.given,
                                             target.shape,
                                             toFullResolution(source.shape, target.shape, map),
-                                            result.trust * likelihood);
+                                            result.trust * likelihoodOf(result, other));
   }
 }
 

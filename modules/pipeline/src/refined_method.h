@@ -7,8 +7,9 @@
 
 namespace posture {
 
-/// Beyond the paper: canonical forms give candidates, functional maps refine them, the least
-/// strained one that keeps the outside out is bent onto the target in space.
+/// Beyond the paper: spectra and canonical forms give candidates, those that keep the outside out
+/// are bent onto the target, the best refined to a fraction of an edge, the whole source completed.
+/// docs/pipeline.md has the stages.
 RegistrationResult refinedMethod(const GivenShape& source,
                                  const GivenShape& target,
                                  const RegistrationOptions& options,

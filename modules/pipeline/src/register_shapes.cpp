@@ -4,10 +4,10 @@
 #include <posture/refine/map_score.h>
 
 #include "attempts.h"
+#include "clean_side.h"
 #include "contacts.h"
 #include "patched_shape.h"
 #include "pieces.h"
-#include "prepare.h"
 #include "published_method.h"
 #include "refined_method.h"
 #include "scan_side.h"
@@ -35,6 +35,17 @@ double mappedShare(const RegistrationResult& result) {
          static_cast<double>(result.correspondence.on_target.size());
 }
 
+/// All of a surface, and what was measured on a part of it or with more to it.
+ShapeSummary withMeasured(ShapeSummary whole, const ShapeSummary& compared) {
+  whole.samples = compared.samples;
+  whole.stress = compared.stress;
+  whole.patched_holes = compared.patched_holes;
+  whole.joined_pieces = compared.joined_pieces;
+  whole.parted_contacts = compared.parted_contacts;
+  whole.added_vertices = compared.added_vertices;
+  return whole;
+}
+
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted:
 /// the better map tells.
 RegistrationResult registerWhole(const GivenShape& source,
@@ -59,6 +70,8 @@ RegistrationResult registerWhole(const GivenShape& source,
                              clock);
       });
   if (!other || other->score > result.score - SCORE_NOISE) return result;
+  other->source = withMeasured(result.source, other->source);
+  other->target = withMeasured(result.target, other->target);
   other->source.parted_contacts = source_parted.contacts;
   other->target.parted_contacts = target_parted.contacts;
   return std::move(*other);
@@ -112,15 +125,10 @@ void addJoinedAttempt(const GivenShape& source,
 }
 
 /// What was found on a part of a surface, and all of it otherwise.
-ShapeSummary withPart(ShapeSummary whole, const ShapeSummary& part) {
-  whole.compared_share = part.area / whole.area;
-  whole.samples = part.samples;
-  whole.stress = part.stress;
-  whole.patched_holes = part.patched_holes;
-  whole.joined_pieces = part.joined_pieces;
-  whole.parted_contacts = part.parted_contacts;
-  whole.added_vertices = part.added_vertices;
-  return whole;
+ShapeSummary withPart(const ShapeSummary& whole, const ShapeSummary& part) {
+  ShapeSummary summary = withMeasured(whole, part);
+  summary.compared_share = part.area / whole.area;
+  return summary;
 }
 
 /// For shapes that do not look like one body: one may be a piece of the other. It is then

@@ -66,6 +66,10 @@ double marginBefore(const RegistrationResult& result, const AlternativeSummary& 
   return other.score - best->score;
 }
 
+double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& other) {
+  return std::exp(std::min(0.0, -marginBefore(result, other)));
+}
+
 bool convinces(double score) { return score < EVEN_SCORE; }
 
 bool looksAlike(const RegistrationResult& result) {
@@ -79,15 +83,28 @@ double trustIn(const RegistrationResult& result) {
   return likenessOf(result.score) * decision;
 }
 
-void addRival(AlternativeSummary rival, RegistrationResult& result) {
+void setTrust(double trust, RegistrationResult& result) {
+  // What was not trusted at all has no confidence to change.
+  const double change = result.trust > 0 ? trust / result.trust : 0;
+  result.trust = trust;
+  result.correspondence.confidence *= change;
+  if (result.back) result.back->correspondence.confidence *= change;
+  for (AlternativeSummary& other : result.alternatives) other.correspondence.confidence *= change;
+}
+
+void addRival(AlternativeSummary rival, double rival_trust, RegistrationResult& result) {
   std::vector<AlternativeSummary>& all = result.alternatives;
   const auto worse = std::find_if(
       all.begin(), all.end(), [&](const auto& known) { return known.score > rival.score; });
-  if (worse - all.begin() <= result.chosen) ++result.chosen;
+  const auto at = worse - all.begin();
+  if (at <= result.chosen) ++result.chosen;
+  Correspondence map = std::move(rival.correspondence);
+  rival.correspondence = {};
   all.insert(worse, std::move(rival));
-  const double before = result.trust;
-  result.trust = trustIn(result);
-  if (before > 0) result.correspondence.confidence *= result.trust / before;
+  setTrust(trustIn(result), result);
+  AlternativeSummary& added = all[static_cast<std::size_t>(at)];
+  if (rival_trust > 0) map.confidence *= result.trust * likelihoodOf(result, added) / rival_trust;
+  added.correspondence = std::move(map);
   giveVerdict(result);
 }
 

@@ -20,6 +20,9 @@ void givePublishedVerdict(RegistrationResult& result);
 /// are known, else how much better the best of all scored before refinement.
 double marginBefore(const RegistrationResult& result, const AlternativeSummary& other);
 
+/// How likely another answer is beside the chosen one, by that margin; at most 1.
+double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& other);
+
 /// How far the score of the map and its margin before the next different one speak for it, in
 /// [0, 1].
 double trustIn(const RegistrationResult& result);
@@ -31,8 +34,12 @@ bool convinces(double score);
 /// Whether the final map scores as those between poses of one body do.
 bool looksAlike(const RegistrationResult& result);
 
+/// Changes the trust, and the confidences of all maps with it.
+void setTrust(double trust, RegistrationResult& result);
+
 /// Takes another answer in among the alternatives, and the trust that costs.
-void addRival(AlternativeSummary rival, RegistrationResult& result);
+/// \param rival_trust  that in which its confidences are.
+void addRival(AlternativeSummary rival, double rival_trust, RegistrationResult& result);
 
 /// Sets status and message from the trust.
 void giveVerdict(RegistrationResult& result);

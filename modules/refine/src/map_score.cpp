@@ -31,7 +31,7 @@ constexpr double RETURN_LENGTH = 0.05;
 constexpr double USUAL_MISS = 0.02;
 
 /// The logarithm of what is left must not be infinite.
-constexpr double MOST_LET_GO = 0.99;
+constexpr double LEAST_KEPT = 0.01;
 
 /// A map onto the rims alone says nothing.
 constexpr double LEAST_COVERED = 0.01;
@@ -170,7 +170,7 @@ double MapScore::total() const {
   // A perfect map must not win by a lucky zero in one term.
   constexpr double LEAST = 1e-4;
   // Each of the four terms by the share of the surface that it was measured on.
-  const double kept = 1 - std::min(MOST_LET_GO, let_go);
+  const double kept = std::max(LEAST_KEPT, 1 - let_go);
   double sum = std::log(USUAL_MISS + return_miss) - 4 * std::log(kept);
   for (double term : {bending, curvature, distortion}) sum += std::log(std::max(LEAST, term));
   // std::max hides what is no number.

@@ -266,6 +266,11 @@ BentPair reversed(const BentPair& pair) {
           pair.apart_a};
 }
 
+double settlingSoftness(const Vector& eigenvalues_a, const Vector& eigenvalues_b) {
+  const auto k = std::min(eigenvalues_a.size(), eigenvalues_b.size());
+  return 0.5 * (eigenvalues_a[k - 1] + eigenvalues_b[k - 1]);
+}
+
 void settle(const BendableSurface& a,
             const BendableSurface& b,
             double softness,

@@ -104,6 +104,7 @@ Json describe(const AlternativeSummary& alternative, bool chosen) {
           {"curvature_disagreement", number(alternative.curvature)},
           {"distance_distortion", number(alternative.distortion)},
           {"return_miss", number(alternative.return_miss)},
+          {"let_go", number(alternative.let_go)},
           {"orientation_vote", number(alternative.orientation)}};
 }
 

@@ -65,6 +65,7 @@ struct AlternativeSummary {
   double curvature = 0;
   double distortion = 0;
   double return_miss = 0;
+  double let_go = 0;
   double score = 0;
   /// That of the map refined from it; none where another answer is better by far before that.
   std::optional<double> refined_score;
@@ -111,7 +112,7 @@ struct RegistrationResult {
   std::vector<AlternativeSummary> alternatives;  ///< REFINED, by increasing score
   int chosen = -1;                               ///< index into hypotheses or alternatives
   double consistency_threshold = 0;              ///< PAPER: c0 of section 4.2
-  double score = 0;                              ///< REFINED: of the final map
+  double score = 0;  ///< REFINED: of the map that was chosen, before it is annealed: as its rivals'
   double trust = 0;  ///< REFINED, 0 to 1: how likely the map is right, see docs/decisions/trust.md
   double scale = 1;  ///< a source length times this is a target length
   ShapeSummary source, target;  ///< of the meshes, given or laid through the points
@@ -141,6 +142,7 @@ RegistrationResult registerShapes(const TriangleMesh& source,
 /// The same for meshes and point clouds, any mix. The correspondence has a row for each point of
 /// the source, in order, and points of the target as vertices; a point that is missing, or taken
 /// for an outlier, has no counterpart.
+/// \throws as above, and as reconstruct().
 RegistrationResult registerShapes(const Shape& source,
                                   const Shape& target,
                                   const RegistrationOptions& options = {},

@@ -19,6 +19,10 @@ struct BentPair {
 /// The same with the surfaces exchanged.
 BentPair reversed(const BentPair& pair);
 
+/// How soft surfaces are when they settle, on any resolution: as the finest eigenfunctions are.
+/// From the eigenvalues of both shapes.
+double settlingSoftness(const Vector& eigenvalues_a, const Vector& eigenvalues_b);
+
 /// Lets two surfaces that lie nearly on each other settle: in turn bends each as rigidly as
 /// possible towards its image, to places in faces, and moves each vertex's match along the other
 /// surface to where places and normals agree best, seen from both sides at once.

@@ -3,18 +3,12 @@
 #pragma once
 
 #include <posture/dense/dense_map.h>
-#include <posture/mesh/clean_mesh.h>
 #include <posture/pipeline/observer.h>
 
-#include "scan_side.h"
 #include <string>
 #include <vector>
 
 namespace posture {
-
-/// cleanMesh, naming the side ("source") in what it throws. A mesh as it was given is denoised
-/// first; the surface of a cloud was laid through denoised points.
-CleanMesh cleanSide(const std::string& side, SideSurface& surface);
 
 /// Voronoi samples with distances and confidences. \throws InputError  too few to tell a shape.
 Landmarks sampleSide(const std::string& side, const TriangleMesh& mesh);
@@ -26,7 +20,6 @@ double commonScale(const Landmarks& source, const Landmarks& target);
 /// Multiplies all lengths of a shape that has no canonical form yet.
 void rescale(EmbeddedShape& shape, double scale);
 
-std::vector<StagePicture> cleaningPictures(const CleanMesh& source, const CleanMesh& target);
 std::vector<StagePicture> samplePictures(const EmbeddedShape& source, const EmbeddedShape& target);
 std::vector<StagePicture> formPictures(const EmbeddedShape& source, const EmbeddedShape& target);
 

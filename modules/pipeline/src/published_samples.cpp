@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "prepare.h"
+#include "published_samples.h"
 
 #include <posture/core/error.h>
 #include <posture/geodesic/fast_marching.h>
-#include <posture/mesh/denoise.h>
 
 namespace posture {
 namespace {
@@ -27,15 +26,6 @@ StagePicture sampleCloud(const std::string& side, const EmbeddedShape& shape) {
 
 }  // namespace
 
-CleanMesh cleanSide(const std::string& side, SideSurface& surface) {
-  try {
-    if (!surface.scan) surface.denoising = denoise(surface.mesh);
-    return cleanMesh(surface.mesh);
-  } catch (const InputError& error) {
-    throw InputError(side + " " + error.what());
-  }
-}
-
 Landmarks sampleSide(const std::string& side, const TriangleMesh& mesh) {
   Landmarks landmarks = computeLandmarks(mesh, FastMarching(mesh));
   // The affine part of the spline alone takes four.
@@ -53,11 +43,6 @@ void rescale(EmbeddedShape& shape, double scale) {
   shape.mesh.vertices *= scale;
   shape.landmarks.distances *= static_cast<float>(scale);
   shape.landmarks.covering_radius *= scale;
-}
-
-std::vector<StagePicture> cleaningPictures(const CleanMesh& source, const CleanMesh& target) {
-  return {{"source-main-surface", source.mesh, source.mesh.vertices, {}},
-          {"target-main-surface", target.mesh, target.mesh.vertices, {}}};
 }
 
 std::vector<StagePicture> samplePictures(const EmbeddedShape& source, const EmbeddedShape& target) {
