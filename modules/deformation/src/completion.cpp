@@ -9,6 +9,7 @@
 #include <posture/deformation/reduce_mesh.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
+#include <posture/mesh/position_of.h>
 
 #include <ceres/ceres.h>
 
@@ -283,7 +284,7 @@ Completion completeDeformation(const TriangleMesh& source,
     const SurfacePoint& at = matches.on_target[v];
     if (at.vertex < 0) continue;
     known[v] = {at.vertex,
-                surface.place(at),
+                positionOf(onto, at).transpose(),
                 matches.confidence[static_cast<int>(v)],
                 at_boundary[v] != 0 || !surface.onBoundary(at.vertex)};
   }

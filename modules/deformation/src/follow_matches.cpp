@@ -3,6 +3,7 @@
 #include <posture/core/error.h>
 #include <posture/core/parallel.h>
 #include <posture/deformation/follow_matches.h>
+#include <posture/mesh/rigid_motion.h>
 #include <posture/mesh/vertex_neighbors.h>
 
 #include <Eigen/Geometry>
@@ -44,23 +45,6 @@ class KnownNearby {
   std::vector<int> seen_, found_, ring_, next_;
 };
 
-Eigen::Isometry3d rigidMotion(const TriangleMesh& mesh,
-                              const Points& places,
-                              const std::vector<int>& vertices) {
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  if (vertices.empty()) return motion;
-  Eigen::Matrix3Xd from(3, vertices.size()), to(3, vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    from.col(i) = mesh.vertices.row(vertices[i]).transpose();
-    to.col(i) = places.row(vertices[i]).transpose();
-  }
-  if (vertices.size() < 3)
-    motion.translation() = to.rowwise().mean() - from.rowwise().mean();
-  else
-    motion.matrix() = Eigen::umeyama(from, to, false);
-  return motion;
-}
-
 }  // namespace
 
 Points followMatches(const TriangleMesh& mesh,
@@ -81,8 +65,9 @@ Points followMatches(const TriangleMesh& mesh,
         moved.row(i) = places.row(i);
         continue;
       }
+      const std::vector<int>& around = nearby.find(i < n ? i : anchor[i - n]);
       const Eigen::Isometry3d motion =
-          rigidMotion(mesh, places, nearby.find(i < n ? i : anchor[i - n]));
+          rigidMotion(mesh.vertices(around, Eigen::all), places(around, Eigen::all));
       const Eigen::Vector3d point =
           i < n ? mesh.vertices.row(i).transpose() : extra.row(i - n).transpose();
       moved.row(i) = (motion * point).transpose();

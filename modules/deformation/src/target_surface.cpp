@@ -27,14 +27,6 @@ TargetSurface::TargetSurface(const TriangleMesh& mesh)
     for (int k = 0; k < 3; ++k) faces_at_[mesh.faces(f, k)].push_back(f);
 }
 
-Vector3d TargetSurface::place(const SurfacePoint& at) const {
-  if (at.face < 0) return mesh_.vertices.row(at.vertex);
-  Vector3d sum = Vector3d::Zero();
-  for (int k = 0; k < 3; ++k)
-    sum += at.barycentric[k] * mesh_.vertices.row(mesh_.faces(at.face, k)).transpose();
-  return sum;
-}
-
 /// On a side without a neighbour, or at a corner where the surface ends.
 bool TargetSurface::onRim(const SurfacePoint& at) const {
   constexpr double ON_SIDE = 1e-9;

@@ -27,7 +27,6 @@ class TargetSurface {
   double edge() const { return edge_; }  ///< mean length
   bool onBoundary(int vertex) const { return on_boundary_[vertex] != 0; }
   bool hasBoundary() const { return has_boundary_; }
-  Eigen::Vector3d place(const SurfacePoint& at) const;
 
   int nearestVertex(const Eigen::Vector3d& point) const { return index_.nearest(point).index; }
 

@@ -4,6 +4,7 @@
 #include <posture/core/parallel.h>
 #include <posture/evaluation/target_metric.h>
 #include <posture/mesh/edges.h>
+#include <posture/mesh/position_of.h>
 #include <posture/mesh/spikes.h>
 
 #include <algorithm>
@@ -128,11 +129,8 @@ double TargetMetric::lengthTo(int from, const SurfacePoint& to, const GeodesicFi
   if (to.face < 0) return lengthTo(from, to.vertex, field);
   const Eigen::RowVector3i corners = target_.faces.row(to.face);
   for (int corner : corners)
-    if (samePlace(from, corner)) {  // within one face the way is straight
-      Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
-      for (int k = 0; k < 3; ++k) place += to.barycentric[k] * target_.vertices.row(corners[k]);
-      return (place - target_.vertices.row(from)).norm();
-    }
+    if (samePlace(from, corner))  // within one face the way is straight
+      return (positionOf(target_, to) - target_.vertices.row(from)).norm();
   double length = 0;
   for (int k = 0; k < 3; ++k)
     if (to.barycentric[k] != 0) length += to.barycentric[k] * lengthTo(from, corners[k], field);

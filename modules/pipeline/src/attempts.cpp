@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "attempts.h"
 
+#include <posture/mesh/position_of.h>
 #include <posture/refine/map_score.h>
 
 #include "given_shape.h"

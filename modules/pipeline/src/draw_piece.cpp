@@ -3,6 +3,7 @@
 #include "draw_piece.h"
 
 #include <posture/mesh/moment_axes.h>
+#include <posture/mesh/rigid_motion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -133,13 +134,6 @@ Points TargetPart::places(const std::vector<int>& vertices) const {
 
 Points moved(const Eigen::Isometry3d& motion, const Points& points) {
   return (points * motion.linear().transpose()).rowwise() + motion.translation().transpose();
-}
-
-Eigen::Isometry3d rigidMotion(const Points& from, const Points& to) {
-  const Eigen::MatrixXd columns_from = from.transpose(), columns_to = to.transpose();
-  Eigen::Isometry3d motion;
-  motion.matrix() = Eigen::umeyama(columns_from, columns_to, false);
-  return motion;
 }
 
 bool liesOn(const TargetPart& target, const Piece& piece, const Eigen::Isometry3d& motion) {

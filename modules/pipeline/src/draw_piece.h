@@ -63,8 +63,6 @@ class TargetPart {
 /// The rows of a matrix, moved.
 Points moved(const Eigen::Isometry3d& motion, const Points& points);
 
-/// The rigid motion that takes points nearest to others. \pre as many, at least one.
-Eigen::Isometry3d rigidMotion(const Points& from, const Points& to);
 
 /// Whether most of a piece lies on a target so, and looks the same way.
 bool liesOn(const TargetPart& target, const Piece& piece, const Eigen::Isometry3d& motion);

@@ -28,14 +28,6 @@ TriangleMesh withPieces(TriangleMesh surface, const TriangleMesh& pieces) {
   return surface;
 }
 
-Eigen::RowVector3d positionOf(const TriangleMesh& mesh, const SurfacePoint& place) {
-  if (place.face < 0) return mesh.vertices.row(place.vertex);
-  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-  for (int k = 0; k < 3; ++k)
-    sum += place.barycentric[k] * mesh.vertices.row(mesh.faces(place.face, k));
-  return sum;
-}
-
 std::vector<int> toInput(const std::vector<int>& map,
                          const CleanMesh& source,
                          const CleanMesh& target) {

@@ -31,9 +31,6 @@ ShapeSummary summarize(const GivenShape& shape);
 /// A main surface and its pieces as one mesh, the vertices and faces of the surface first.
 TriangleMesh withPieces(TriangleMesh surface, const TriangleMesh& pieces);
 
-/// Where a place on a mesh is. \param place  of some vertex.
-Eigen::RowVector3d positionOf(const TriangleMesh& mesh, const SurfacePoint& place);
-
 /// A map between clean vertices in the numbering of the input; loose vertices go where the vertex
 /// they follow goes. -1 stays -1.
 std::vector<int> toInput(const std::vector<int>& map,

@@ -5,6 +5,7 @@
 #include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
 #include <posture/mesh/point_index.h>
+#include <posture/mesh/rigid_motion.h>
 
 #include "draw_piece.h"
 #include <algorithm>

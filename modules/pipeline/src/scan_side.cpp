@@ -7,6 +7,7 @@
 #include <posture/deformation/apply_deformation.h>
 #include <posture/mesh/nearest_in_triangle.h>
 #include <posture/mesh/point_index.h>
+#include <posture/mesh/position_of.h>
 #include <posture/mesh/vertex_neighbors.h>
 
 #include "given_shape.h"

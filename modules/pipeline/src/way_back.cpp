@@ -3,6 +3,7 @@
 #include "way_back.h"
 
 #include <posture/mesh/edges.h>
+#include <posture/mesh/position_of.h>
 
 #include "loose_pieces.h"
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "lay_anew.h"
 
 #include <posture/mesh/edges.h>
+#include <posture/mesh/rigid_motion.h>
 #include <posture/refine/lay_over.h>
 
 #include <Eigen/Geometry>
@@ -55,10 +56,8 @@ Points placesAnew(const BendableSurface& a,
   for (const std::vector<int>& part : markedParts(a, marked)) {
     const std::vector<int> around = surroundings(a, part, marked);
     if (around.size() < FEWEST) continue;
-    const Eigen::MatrixXd from = a.mesh.vertices(around, Eigen::all).transpose(),
-                          to = bent(around, Eigen::all).transpose();
-    Eigen::Isometry3d motion;
-    motion.matrix() = Eigen::umeyama(from, to, false);
+    const Eigen::Isometry3d motion =
+        rigidMotion(a.mesh.vertices(around, Eigen::all), bent(around, Eigen::all));
     for (int v : part) laid.row(v) = (motion * Eigen::Vector3d(a.mesh.vertices.row(v))).transpose();
   }
   Vector held = Vector::Ones(laid.rows());

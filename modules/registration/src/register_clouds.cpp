@@ -3,6 +3,7 @@
 #include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
 #include <posture/mesh/point_index.h>
+#include <posture/mesh/rigid_motion.h>
 #include <posture/pipeline/deformed_surface.h>
 #include <posture/registration/register_clouds.h>
 
@@ -139,7 +140,7 @@ void addMatches(const CloudSide& source, const CloudSide& target, RegisteredClou
   }
 }
 
-/// Umeyama 1991, without the scale.
+/// Of the points that have a counterpart.
 Eigen::Isometry3d bestRigidMotion(const Points& source,
                                   const Points& target,
                                   const Correspondence& correspondence) {
@@ -149,12 +150,7 @@ Eigen::Isometry3d bestRigidMotion(const Points& source,
       from.push_back(static_cast<int>(i));
       to.push_back(correspondence.on_target[i].vertex);
     }
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  if (!from.empty())
-    motion.matrix() = Eigen::umeyama(Matrix(source(from, Eigen::all).transpose()),
-                                     Matrix(target(to, Eigen::all).transpose()),
-                                     false);
-  return motion;
+  return rigidMotion(source(from, Eigen::all), target(to, Eigen::all));
 }
 
 RegisteredClouds registered(const CloudSide& source,
