@@ -98,6 +98,17 @@ BentPair bentPair(const SpectralSurface& source,
   return pair;
 }
 
+/// The score that changing a finalist's map has to beat: its own, or that of its bent surfaces once
+/// they have settled. What settling alone gains, no change did.
+double scoreToBeat(const SpectralSurface& source,
+                   const SpectralSurface& target,
+                   double softness,
+                   const Finalist& finalist,
+                   BentPair pair) {
+  settle(source, target, softness, SETTLING_ROUNDS, pair);
+  return std::min(finalist.score.total(), scoreBent(source, target, pair, false).total());
+}
+
 /// Mean distance between where two maps take the vertices that have a counterpart under both;
 /// infinite where there are none.
 double gapBetween(const SpectralSurface& target, const BentPair& x, const BentPair& y) {
@@ -227,8 +238,10 @@ std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
   std::vector<std::optional<Finalist>> loose(tried.size());
   parallelFor(static_cast<int>(tried.size()), [&](int i) {
     BentPair pair = bentPair(source, target, softness, tried[i]);
+    const BentPair before = pair;
     const std::optional<MapScore> score = letGo(source, target, softness, SCORE_NOISE, pair);
-    if (score && score->total() < tried[i].score.total() - SCORE_NOISE)
+    if (score &&
+        score->total() < scoreToBeat(source, target, softness, tried[i], before) - SCORE_NOISE)
       loose[i] = withMap(source, target, std::move(pair), *score, tried[i]);
   });
   return joined(std::move(loose), std::move(finalists));
@@ -252,10 +265,7 @@ std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
   parallelFor(static_cast<int>(begun), [&](int k) {
     const Finalist& finalist = finalists[distinct[k]];
     pairs[k] = bentPair(source, target, softness, finalist);
-    // What settling alone gains is nothing that growing did.
-    BentPair settled = pairs[k];
-    settle(source, target, softness, SETTLING_ROUNDS, settled);
-    before[k] = std::min(finalist.score.total(), scoreBent(source, target, settled, false).total());
+    before[k] = scoreToBeat(source, target, softness, finalist, pairs[k]);
   });
   for (std::size_t k = 0; k < begun; ++k)
     for (ScoredPair& one : growAnew(source, target, softness, pairs.front(), pairs[k])) {
