@@ -19,6 +19,16 @@ ShapeSummary summarize(const GivenShape& shape) {
   return summary;
 }
 
+ShapeSummary withMeasured(ShapeSummary whole, const ShapeSummary& compared) {
+  whole.samples = compared.samples;
+  whole.stress = compared.stress;
+  whole.patched_holes = compared.patched_holes;
+  whole.joined_pieces = compared.joined_pieces;
+  whole.parted_contacts = compared.parted_contacts;
+  whole.added_vertices = compared.added_vertices;
+  return whole;
+}
+
 TriangleMesh withPieces(TriangleMesh surface, const TriangleMesh& pieces) {
   const auto n = surface.vertices.rows(), m = surface.faces.rows();
   surface.vertices.conservativeResize(n + pieces.vertices.rows(), 3);

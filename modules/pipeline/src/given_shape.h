@@ -28,6 +28,9 @@ struct GivenShape {
 /// What cleaning tells of a side; samples and stress are left to the method.
 ShapeSummary summarize(const GivenShape& shape);
 
+/// All of a surface, and what was measured on a part of it or with more to it.
+ShapeSummary withMeasured(ShapeSummary whole, const ShapeSummary& compared);
+
 /// A main surface and its pieces as one mesh, the vertices and faces of the surface first.
 TriangleMesh withPieces(TriangleMesh surface, const TriangleMesh& pieces);
 

@@ -127,13 +127,9 @@ void cleanAgain(const CleanMesh& before, PatchedShape& patched) {
 ShapeSummary summaryWithout(const GivenShape& given,
                             const PatchedShape& shape,
                             const ShapeSummary& patched) {
-  ShapeSummary summary = summarize(given);
+  ShapeSummary summary = withMeasured(summarize(given), patched);
   summary.patched_holes = shape.holes;
   summary.joined_pieces = shape.pieces;
-  summary.parted_contacts = patched.parted_contacts;
-  summary.added_vertices = patched.added_vertices;
-  summary.samples = patched.samples;
-  summary.stress = patched.stress;
   return summary;
 }
 

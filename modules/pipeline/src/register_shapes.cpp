@@ -35,17 +35,6 @@ double mappedShare(const RegistrationResult& result) {
          static_cast<double>(result.correspondence.on_target.size());
 }
 
-/// All of a surface, and what was measured on a part of it or with more to it.
-ShapeSummary withMeasured(ShapeSummary whole, const ShapeSummary& compared) {
-  whole.samples = compared.samples;
-  whole.stress = compared.stress;
-  whole.patched_holes = compared.patched_holes;
-  whole.joined_pieces = compared.joined_pieces;
-  whole.parted_contacts = compared.parted_contacts;
-  whole.added_vertices = compared.added_vertices;
-  return whole;
-}
-
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted:
 /// the better map tells.
 RegistrationResult registerWhole(const GivenShape& source,
