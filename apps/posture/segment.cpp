@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "folder.h"
+#include "motion_json.h"
 #include "progress.h"
 #include "register_files.h"
 #include "result_files.h"
@@ -64,18 +65,6 @@ RegisteredPoses registerPoses(const SegmentOptions& options,
 
 std::string poseFile(std::size_t k) { return "pose-" + std::to_string(k + 1) + "_segments.ply"; }
 
-Json describeMotion(const Eigen::Isometry3d& motion, double residual) {
-  const Eigen::Matrix3d turn = motion.rotation();
-  const Eigen::Quaterniond q(turn);
-  Json rows = Json::array();
-  for (int i = 0; i < 3; ++i) rows.push_back({turn(i, 0), turn(i, 1), turn(i, 2)});
-  const Eigen::Vector3d move = motion.translation();
-  return {{"rotation", std::move(rows)},
-          {"quaternion_wxyz", {q.w(), q.x(), q.y(), q.z()}},
-          {"translation", {move[0], move[1], move[2]}},
-          {"residual", residual}};
-}
-
 Json describe(const SegmentOptions& options,
               const RegisteredPoses& poses,
               const ShapeSegments& segments) {
@@ -88,8 +77,10 @@ Json describe(const SegmentOptions& options,
   Json motions = Json::array();
   for (std::size_t k = 0; k < poses.files.size(); ++k) {
     Json of_parts = Json::array();
-    for (int part = 0; part < parts.count; ++part)
-      of_parts.push_back(describeMotion(parts.motion[k][part], segments.residual[k][part]));
+    for (int part = 0; part < parts.count; ++part) {
+      of_parts.push_back(toJson(parts.motion[k][part]));
+      of_parts.back()["residual"] = segments.residual[k][part];
+    }
     motions.push_back({{"file", poses.files[k].path.string()},
                        {"colored", poseFile(k)},
                        {"trust", poses.results[k].trust},

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/rng.h>
+#include <posture/io/atomic_file.h>
 #include <posture/io/correspondence_io.h>
 #include <posture/io/mesh_io.h>
 #include <posture/io/shape_io.h>
@@ -12,6 +13,7 @@
 
 #include "common/in_range.h"
 #include "folder.h"
+#include "motion_json.h"
 #include "verbs.h"
 #include <cstdio>
 #include <filesystem>
@@ -49,6 +51,7 @@ struct Shape {
   std::optional<SimulatedScan> scan;
 
   std::string meshFile() const { return name + ".ply"; }
+  std::string bonesFile() const { return name + "-bones.csv"; }
   std::string scanFile() const { return name + "-scan.pcd"; }
   std::string scanSurfaceFile() const { return name + "-scan-surface.txt"; }
 };
@@ -181,6 +184,28 @@ class PairList {
   std::string rows_;
 };
 
+/// The bone of each vertex.
+void writeBones(const fs::path& path, const ArticulatedBody& body) {
+  AtomicFile file(path);
+  file.stream().imbue(std::locale::classic());
+  file.stream() << "vertex,bone,weight\n";
+  for (std::size_t v = 0; v < body.bone.size(); ++v)
+    file.stream() << v << ',' << body.bone_names[body.bone[v]] << ','
+                  << body.bone_weight[static_cast<Eigen::Index>(v)] << '\n';
+  file.commit();
+}
+
+/// How the bones move from the rest pose.
+Json describeBones(const ArticulatedBody& body) {
+  Json bones = Json::array();
+  for (std::size_t b = 0; b < body.bone_names.size(); ++b) {
+    Json bone{{"bone", body.bone_names[b]}};
+    bone.update(toJson(body.bone_motion[b]));
+    bones.push_back(std::move(bone));
+  }
+  return bones;
+}
+
 /// Writes the shape, and with it its scan; returns what was written as JSON.
 Json writeShape(const fs::path& folder, const Shape& shape, bool quiet) {
   const std::string file = shape.meshFile();
@@ -238,10 +263,16 @@ void synthesize(const SynthesizeOptions& options, const Common& common) {
   makeFolder(options.folder);
   Json shapes = Json::array(), pairs = Json::array();
   PairList list(options.folder, options.scan);
+  Json bones = Json::object();
   Shape reference;
   for (std::size_t i = 0; i < options.poses.size(); ++i) {
     Shape shape = makeShape(options, i);
     shapes.push_back(writeShape(options.folder, shape, common.quiet));
+    if (!options.scan) {  // a scan has a frame and unit of its own
+      writeBones(options.folder / shape.bonesFile(), shape.body);
+      bones[shape.meshFile()] = describeBones(shape.body);
+      shapes.back()["bones"] = shape.bonesFile();
+    }
     if (i == 0) {
       reference = std::move(shape);
       continue;
@@ -250,6 +281,7 @@ void synthesize(const SynthesizeOptions& options, const Common& common) {
     if (options.scan) pairs.push_back(list.addScans(options.kind, reference, shape));
   }
   if (!pairs.empty()) list.write();
+  if (!bones.empty()) writeText(options.folder / "bones.json", bones.dump(1) + "\n");
   if (common.json) std::cout << Json{{"shapes", shapes}, {"pairs", pairs}}.dump(1) << '\n';
 }
 

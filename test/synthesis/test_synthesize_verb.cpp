@@ -6,9 +6,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "apps/program.h"
 #include "body_checks.h"
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
 
 namespace posture {
 namespace {
@@ -51,6 +56,43 @@ TEST(SynthesizeVerb, WritesShapesTruthAndTheListOfPairs) {
             "human-pose0-pose3,human,isometric,human-pose0.ply,human-pose3.ply,"
             "human-pose0-pose3.txt,human-pose0-pose3-mirror.txt,"
             "synthetic; tessellations 0 and 0\n");
+}
+
+TEST(SynthesizeVerb, WritesTheBonesAndHowTheyMove) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "made";
+  ASSERT_EQ(synthesize({"-q", "-o", out, "--pose", "0", "3", "--vertices", "1500"}).exit_code, 0);
+  const Points rest = readMesh(out + "/quadruped-pose0.ply").mesh.vertices,
+               pose = readMesh(out + "/quadruped-pose3.ply").mesh.vertices;
+  std::map<std::string, Eigen::Isometry3d> motion;
+  const auto bones = nlohmann::json::parse(bytesOf(out + "/bones.json"));
+  for (const auto& bone : bones["quadruped-pose3.ply"]) {
+    Eigen::Isometry3d& of_bone = motion[bone["bone"]];
+    for (int i = 0; i < 3; ++i) {
+      of_bone.translation()[i] = bone["translation"][i];
+      for (int j = 0; j < 3; ++j) of_bone.linear()(i, j) = bone["rotation"][i][j];
+    }
+  }
+  std::istringstream rows(bytesOf(out + "/quadruped-pose0-bones.csv"));
+  std::string row;
+  std::getline(rows, row);
+  EXPECT_EQ(row, "vertex,bone,weight");
+  std::set<std::string> seen;
+  int vertex = 0, rigid = 0;
+  for (; std::getline(rows, row); ++vertex) {
+    const auto first = row.find(','), second = row.rfind(',');
+    ASSERT_EQ(std::stoi(row), vertex);
+    const std::string bone = row.substr(first + 1, second - first - 1);
+    ASSERT_EQ(motion.count(bone), 1u) << bone;
+    seen.insert(bone);
+    if (std::stod(row.substr(second + 1)) < 1) continue;
+    ++rigid;
+    const Eigen::Vector3d moved = motion[bone] * Eigen::Vector3d(rest.row(vertex));
+    ASSERT_LT((moved - Eigen::Vector3d(pose.row(vertex))).norm(), 1e-5) << bone;
+  }
+  EXPECT_EQ(vertex, rest.rows());
+  EXPECT_GT(4 * rigid, vertex);
+  EXPECT_EQ(seen.size(), motion.size());
 }
 
 TEST(SynthesizeVerb, MeshesAnewAndCutsHolesWhereAsked) {
@@ -210,7 +252,8 @@ TEST(SynthesizeVerb, KeepsTheGridOfASingleView) {
 TEST(SynthesizeVerb, WritesNoPairsForOneShape) {
   const TemporaryFolder folder;
   EXPECT_EQ(synthesize({"-o", folder / ".", "--pose", "5", "--vertices", "1000"}).exit_code, 0);
-  EXPECT_THAT(folder.names(), ElementsAre("quadruped-pose5.ply"));
+  EXPECT_THAT(folder.names(),
+              ElementsAre("bones.json", "quadruped-pose5-bones.csv", "quadruped-pose5.ply"));
 }
 
 TEST(SynthesizeVerb, RefusesWhatCannotBeMeant) {
