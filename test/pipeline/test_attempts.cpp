@@ -4,7 +4,9 @@
 
 #include "attempts.h"
 #include <cmath>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -47,21 +49,28 @@ TEST(Attempts, theWayBackIsTrustedAsTheWayThere) {
   EXPECT_DOUBLE_EQ(result.back->correspondence.confidence[0], 0.8);
 }
 
-TEST(Attempts, aRivalCostsAllMapsTrustAndIsLessLikelyItself) {
-  const auto attempt = [](double score, int place) {
-    RegistrationResult result = resultWith(score, 0.9, place);
-    result.alternatives.resize(1);
-    result.alternatives[0].score = score;
-    result.alternatives[0].refined_score = score;
-    result.alternatives[0].correspondence = result.correspondence;
-    result.target.area = 1;
-    return result;
-  };
+/// One with a single answer.
+RegistrationResult answerWith(double score, int place) {
+  RegistrationResult result = resultWith(score, 0.9, place);
+  result.alternatives.resize(1);
+  result.alternatives[0].score = score;
+  result.alternatives[0].refined_score = score;
+  result.alternatives[0].correspondence = result.correspondence;
+  result.target.area = 1;
+  return result;
+}
+
+RegistrationResult best(std::vector<Attempt> attempts) {
   RegistrationOptions options;
   options.refine_alternatives = true;
+  const Observer nobody;
+  StageClock clock(nobody);
   const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
-  const RegistrationResult result =
-      bestAttempt({attempt(-12, 1), attempt(-11.5, 2)}, target, options);
+  return bestAttempt(std::move(attempts), target, options, clock);
+}
+
+TEST(Attempts, aRivalCostsAllMapsTrustAndIsLessLikelyItself) {
+  const RegistrationResult result = best({{answerWith(-12, 1), {}}, {answerWith(-11.5, 2), {}}});
   ASSERT_EQ(result.alternatives.size(), 2u);
   EXPECT_EQ(result.chosen, 0);
   EXPECT_LT(result.trust, 0.9);
@@ -71,12 +80,48 @@ TEST(Attempts, aRivalCostsAllMapsTrustAndIsLessLikelyItself) {
       result.alternatives[1].correspondence.confidence[0], result.trust * std::exp(-0.5), 1e-12);
 }
 
-TEST(Attempts, aMapThatClosedHolesLedAstrayIsLeft) {
-  const RegistrationResult result =
-      withPatchedMap(resultWith(-12, 0.8, 1), resultWith(-10.5, 0.4, 2));
-  EXPECT_EQ(result.correspondence.on_target[0].vertex, 1);
-  EXPECT_EQ(result.deformed(0, 0), 1);
-  EXPECT_DOUBLE_EQ(result.correspondence.confidence[0], 0.8);
+TEST(Attempts, onlyTheBestIsFinished) {
+  const auto attempt = [](double score, int place, int& finishings) {
+    return Attempt{answerWith(score, place), [=, &finishings] {
+                     ++finishings;
+                     return answerWith(score, place);
+                   }};
+  };
+  int worse = 0, better = 0;
+  EXPECT_EQ(best({attempt(-11, 1, worse), attempt(-12, 1, better)}).score, -12);
+  EXPECT_EQ(worse, 0);
+  EXPECT_EQ(better, 1);
+}
+
+TEST(Attempts, oneThatCannotBeFinishedIsLeft) {
+  const Attempt failing{answerWith(-12, 2),
+                        []() -> RegistrationResult { throw std::runtime_error("no surface"); }};
+  const RegistrationResult result = best({{answerWith(-11, 1), {}}, failing});
+  EXPECT_EQ(result.score, -11);
+  EXPECT_EQ(result.alternatives.size(), 1u);
+  EXPECT_THROW(best({failing}), std::runtime_error);
+}
+
+TEST(Attempts, aRivalThatCannotBeFinishedIsStillNamed) {
+  const Attempt failing{answerWith(-11, 2),
+                        []() -> RegistrationResult { throw std::runtime_error("no surface"); }};
+  const RegistrationResult result = best({{answerWith(-12, 1), {}}, failing});
+  EXPECT_EQ(result.score, -12);
+  ASSERT_EQ(result.alternatives.size(), 2u);
+  EXPECT_EQ(result.alternatives[1].score, -11);
+}
+
+TEST(Attempts, areChangedBeforeAndAfterTheyAreFinished) {
+  const Attempt attempt = withChange({answerWith(-12, 1), [] { return answerWith(-12, 2); }},
+                                     [](RegistrationResult& result) { ++result.source.samples; });
+  EXPECT_EQ(attempt.found.source.samples, 1);
+  EXPECT_EQ(finished(attempt).source.samples, 1);
+  EXPECT_EQ(finished(attempt).correspondence.on_target[0].vertex, 2);
+}
+
+TEST(Attempts, aMapThatClosedHolesLedAstrayScoresFarWorse) {
+  EXPECT_TRUE(patchesLeadAstray(resultWith(-12, 0.8, 1), resultWith(-10.5, 0.4, 2)));
+  EXPECT_FALSE(patchesLeadAstray(resultWith(-12, 0.8, 1), resultWith(-11.5, 0.4, 2)));
 }
 
 }  // namespace

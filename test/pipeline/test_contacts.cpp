@@ -258,6 +258,8 @@ TEST(RegisterShapes, FindsItsWayThoughTheTargetIsGrownTogether) {
   EXPECT_LT(meanError(result, source, target), 0.03);
   EXPECT_LE(progress, 1);
   EXPECT_EQ(stages.count("parted refinement"), 1);
+  EXPECT_EQ(stages.count("parted annealing"), 1);
+  EXPECT_EQ(stages.count("annealing"), 0);  // of what is not taken
   EXPECT_EQ(pictures.count("parted source-canonical-form"), 1);
   EXPECT_EQ(stages.size(), result.timings.size());
 }

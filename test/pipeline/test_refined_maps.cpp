@@ -25,7 +25,9 @@ class RefinedMaps : public testing::Test {
     Finalist finalist;
     finalist.maps = {test::nearestOf(test::wound(coarse, angle), coarse),
                      test::nearestOf(test::wound(coarse, -angle), coarse)};
-    return refineFinalists(club_, club_, {&finalist}, false).front();
+    RefinedMap map = refineFinalists(club_, club_, {&finalist}).front();
+    annealMap(club_, club_, false, map);
+    return map;
   }
 
   double scoreOf(const RefinedMap& map) const {

@@ -8,6 +8,8 @@
 #include "given_shape.h"
 #include "verdict.h"
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace posture {
@@ -40,7 +42,55 @@ double gapBetween(const RegistrationResult& x,
   return 2 * both < either || both == 0 ? 1 : sum / (both * size);
 }
 
+/// The one of least score, the first if none is better by more than scores vary.
+std::size_t bestOf(const std::vector<Attempt>& attempts) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < attempts.size(); ++i) {
+    const RegistrationResult &known = attempts[best].found, &other = attempts[i].found;
+    if (other.chosen >= 0 &&
+        (known.chosen < 0 || known.score - other.score >= (best == 0 ? SCORE_NOISE : 0)))
+      best = i;
+  }
+  return best;
+}
+
+struct Rival {
+  const Attempt* attempt = nullptr;  // null: there is none
+  double gap = 0;
+};
+
+/// Of the attempts that lead elsewhere than the best one, that of least score.
+Rival rivalOf(const std::vector<Attempt>& attempts,
+              std::size_t best,
+              const TriangleMesh& target,
+              double size) {
+  Rival rival;
+  for (std::size_t i = 0; i < attempts.size(); ++i) {
+    const RegistrationResult& found = attempts[i].found;
+    if (i == best || found.chosen < 0) continue;
+    if (rival.attempt != nullptr && rival.attempt->found.score <= found.score) continue;
+    const double gap = gapBetween(attempts[best].found, found, target, size);
+    if (gap >= SAME_ANSWER) rival = {&attempts[i], gap};
+  }
+  return rival;
+}
+
 }  // namespace
+
+RegistrationResult finished(Attempt attempt) {
+  return attempt.finish ? attempt.finish() : std::move(attempt.found);
+}
+
+Attempt withChange(Attempt attempt, const std::function<void(RegistrationResult&)>& change) {
+  change(attempt.found);
+  if (attempt.finish)
+    attempt.finish = [finish = std::move(attempt.finish), change] {
+      RegistrationResult result = finish();
+      change(result);
+      return result;
+    };
+  return attempt;
+}
 
 bool isSameAnswer(const RegistrationResult& x,
                   const RegistrationResult& y,
@@ -48,8 +98,11 @@ bool isSameAnswer(const RegistrationResult& x,
   return gapBetween(x, y, target, std::sqrt(x.target.area)) < SAME_ANSWER;
 }
 
+bool patchesLeadAstray(const RegistrationResult& as_given, const RegistrationResult& patched) {
+  return patched.score > as_given.score + COST_OF_PATCHES;
+}
+
 RegistrationResult withPatchedMap(RegistrationResult as_given, RegistrationResult patched) {
-  if (patched.score > as_given.score + COST_OF_PATCHES) return as_given;
   if (patched.trust > as_given.trust) return patched;
   setTrust(as_given.trust, patched);
   as_given.correspondence = std::move(patched.correspondence);
@@ -62,34 +115,30 @@ RegistrationResult withPatchedMap(RegistrationResult as_given, RegistrationResul
   return as_given;
 }
 
-RegistrationResult bestAttempt(std::vector<RegistrationResult> attempts,
+RegistrationResult bestAttempt(std::vector<Attempt> attempts,
                                const TriangleMesh& target,
-                               const RegistrationOptions& options) {
-  const double size = std::sqrt(attempts.front().target.area);
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < attempts.size(); ++i) {
-    const double gain = attempts[best].score - attempts[i].score;
-    if (attempts[i].chosen >= 0 &&
-        (attempts[best].chosen < 0 || gain >= (best == 0 ? SCORE_NOISE : 0)))
-      best = i;
+                               const RegistrationOptions& options,
+                               StageClock& clock) {
+  const double size = std::sqrt(attempts.front().found.target.area);
+  for (;;) {
+    const std::size_t best = bestOf(attempts);
+    const Rival rival = rivalOf(attempts, best, target, size);
+    const auto finishBest = [&] { return finished(std::move(attempts[best])); };
+    std::optional<RegistrationResult> result = best == 0 ? finishBest() : clock.tryTo(finishBest);
+    if (!result) {
+      attempts.erase(attempts.begin() + static_cast<std::ptrdiff_t>(best));
+      continue;
+    }
+    if (rival.attempt == nullptr) return std::move(*result);
+    const RegistrationResult& found = rival.attempt->found;
+    AlternativeSummary other = found.alternatives[found.chosen];
+    other.gap = rival.gap;
+    if (options.refine_alternatives)
+      if (const auto whole = clock.tryTo([&] { return finished(*rival.attempt); }))
+        other.correspondence = whole->correspondence;
+    addRival(std::move(other), found.trust, *result);
+    return std::move(*result);
   }
-  RegistrationResult result = std::move(attempts[best]);
-  const RegistrationResult* rival = nullptr;
-  double gap = 0;
-  for (std::size_t i = 0; i < attempts.size(); ++i) {
-    if (i == best || attempts[i].chosen < 0) continue;
-    if (rival != nullptr && rival->score <= attempts[i].score) continue;
-    const double far = gapBetween(result, attempts[i], target, size);
-    if (far < SAME_ANSWER) continue;
-    rival = &attempts[i];
-    gap = far;
-  }
-  if (rival == nullptr) return result;
-  AlternativeSummary other = rival->alternatives[rival->chosen];
-  other.gap = gap;
-  if (options.refine_alternatives) other.correspondence = rival->correspondence;
-  addRival(std::move(other), rival->trust, result);
-  return result;
 }
 
 }  // namespace posture

@@ -4,26 +4,47 @@
 
 #include <posture/pipeline/register_shapes.h>
 
+#include "stage_clock.h"
+#include <functional>
 #include <vector>
 
 namespace posture {
+
+/// A registration as far as it takes to compare it with others: most of those made are not taken.
+struct Attempt {
+  /// Score, trust and the figures of its alternatives are as they will be; the map, of the main
+  /// surface alone, is good to the edges of the work meshes, and the source is not deformed.
+  RegistrationResult found;
+  std::function<RegistrationResult()> finish;  ///< empty: `found` is all there is
+};
+
+/// \throws std::runtime_error  a surface cannot be bent (Arap)
+RegistrationResult finished(Attempt attempt);
+
+/// The attempt with what `change` makes of its result, before and after it is finished.
+Attempt withChange(Attempt attempt, const std::function<void(RegistrationResult&)>& change);
 
 /// Whether two attempts at one pair lead to the same places, as far as samples tell.
 bool isSameAnswer(const RegistrationResult& x,
                   const RegistrationResult& y,
                   const TriangleMesh& target);
 
+/// Whether patches lead an answer astray that was found without them too: it then scores far worse.
+bool patchesLeadAstray(const RegistrationResult& as_given, const RegistrationResult& patched);
+
 /// One answer found twice: the map found with closed holes, which drifts less, with the verdict
 /// that trusts it more. Patches differ from pose to pose and blur what tells answers apart; long
-/// rims, as between few views of a body, hide that two shapes are one. Where patches led the map
-/// astray, so that it scores far worse, all stays as found without.
+/// rims, as between few views of a body, hide that two shapes are one.
+/// \param as_given  its map does not matter.
 RegistrationResult withPatchedMap(RegistrationResult as_given, RegistrationResult patched);
 
 /// Of several attempts at one pair, on different parts of it, the one that scores best, the first
-/// if none is better by more than scores vary. The best of the others that leads elsewhere is named
-/// among its alternatives. \pre  at least one.
-RegistrationResult bestAttempt(std::vector<RegistrationResult> attempts,
+/// if none is better by more than scores vary, finished; one that cannot be is left out, but for
+/// the first. The best of the others that leads elsewhere is named among its alternatives. \pre  at
+/// least one.
+RegistrationResult bestAttempt(std::vector<Attempt> attempts,
                                const TriangleMesh& target,
-                               const RegistrationOptions& options);
+                               const RegistrationOptions& options,
+                               StageClock& clock);
 
 }  // namespace posture

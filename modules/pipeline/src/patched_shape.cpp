@@ -189,7 +189,7 @@ void leaveOutPatches(const GivenShape& source,
   const WithoutPatches on_source(source.input, source_patched),
       on_target(target.input, target_patched);
   trim(on_source, on_target, result.correspondence);
-  result.deformed.conservativeResize(on_source.vertexCount(), 3);
+  if (result.deformed.rows() > 0) result.deformed.conservativeResize(on_source.vertexCount(), 3);
   if (result.back) {
     trim(on_target, on_source, result.back->correspondence);
     measureMiss(source, target.input, result.correspondence, *result.back);

@@ -159,8 +159,7 @@ void annealWithEndsRefitted(const RefinedShape& source,
 
 std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const RefinedShape& target,
-                                        const std::vector<const Finalist*>& finalists,
-                                        bool may_lack) {
+                                        const std::vector<const Finalist*>& finalists) {
   const WorkSurfaces surfaces(source, target, finalists);
   const SpectralSurface& target_work = surfaces.target();
   std::vector<BentPair> starts(finalists.size());
@@ -195,20 +194,24 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                               : scoreMaps(work, target_work, map.pair.maps);
   });
   sortByScore(refined);
-  if (refined.empty() || refined.front().laid) return refined;
-  RefinedMap& best = refined.front();
-  // Its rivals are not turned: what it is compared by stays as it was.
-  const MapScore judged = best.score;
-  const SpectralSurface& source_work = surfaces.source(best.scale);
-  const RefinedShape scaled = rescaled(source, best.scale);
-  if (best.pair.apart_a.empty() && best.pair.apart_b.empty())
-    best = withLimbsTurned(scaled, target, source_work, target_work, best);
-  annealWithEndsRefitted(scaled, source_work, target_work, best.pair);
-  const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
-  if (may_lack && letGo(source_work, target_work, softness, LEAST_OF_LETTING_GO, best.pair))
-    anneal(source_work, target_work, softness, best.pair);
-  best.score = judged;
   return refined;
+}
+
+void annealMap(const RefinedShape& source,
+               const RefinedShape& target,
+               bool may_lack,
+               RefinedMap& map) {
+  if (map.laid) return;
+  const MapScore judged = map.score;
+  const RefinedShape scaled = rescaled(source, map.scale);
+  const SpectralSurface source_work = scaled.workSurface(), target_work = target.workSurface();
+  if (map.pair.apart_a.empty() && map.pair.apart_b.empty())
+    map = withLimbsTurned(scaled, target, source_work, target_work, map);
+  annealWithEndsRefitted(scaled, source_work, target_work, map.pair);
+  const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
+  if (may_lack && letGo(source_work, target_work, softness, LEAST_OF_LETTING_GO, map.pair))
+    anneal(source_work, target_work, softness, map.pair);
+  map.score = judged;
 }
 
 }  // namespace posture

@@ -20,14 +20,20 @@ struct RefinedMap {
   MapScore score;
 };
 
-/// Takes finalists to the work meshes and makes them as exact as those allow; by increasing score.
-/// Limbs of the first are turned about themselves where they fit better so, it is annealed, ends of
-/// limbs that do not fit are laid anew, and what is misplaced is let go of; its score is that
-/// before. \param may_lack  whether a side may lack a part that the other one has: if not, nothing
-/// is let go.
+/// Takes finalists to the work meshes, settled there; by increasing score.
 std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const RefinedShape& target,
-                                        const std::vector<const Finalist*>& finalists,
-                                        bool may_lack);
+                                        const std::vector<const Finalist*>& finalists);
+
+/// Makes a map as exact as the work meshes allow: limbs are turned about themselves where they fit
+/// better so, all is annealed, ends of limbs that do not fit are laid anew, and what is misplaced
+/// is let go of. The score stays what it is compared by. Maps of surfaces that were laid over each
+/// other stay as they are.
+/// \param may_lack  whether a side may lack a part that the other one has: if not, nothing is let
+///                  go.
+void annealMap(const RefinedShape& source,
+               const RefinedShape& target,
+               bool may_lack,
+               RefinedMap& map);
 
 }  // namespace posture

@@ -18,6 +18,7 @@
 #include "way_back.h"
 #include "whole_source.h"
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace posture {
@@ -145,12 +146,11 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
 std::vector<RefinedMap> refineLeading(const RefinedShape& source,
                                       const RefinedShape& target,
                                       const std::vector<Finalist>& finalists,
-                                      const std::vector<int>& distinct,
-                                      bool may_lack) {
+                                      const std::vector<int>& distinct) {
   const std::vector<int> leading = leadingOf(finalists, distinct);
   std::vector<const Finalist*> chosen;
   for (int i : leading) chosen.push_back(&finalists[i]);
-  std::vector<RefinedMap> maps = refineFinalists(source, target, chosen, may_lack);
+  std::vector<RefinedMap> maps = refineFinalists(source, target, chosen);
   for (RefinedMap& map : maps) map.finalist = leading[map.finalist];
   return maps;
 }
@@ -188,22 +188,29 @@ Points deformedInput(const PosedSide& source,
                                          source.pose.into(source.given.input.vertices)));
 }
 
+/// What an attempt has found when its map is chosen, and what finishing it takes.
+struct ChosenMap {
+  ChosenMap(const GivenShape& source_cleaned, const GivenShape& target_cleaned)
+      : source(source_cleaned), target(target_cleaned) {}
+
+  PosedSide source, target;
+  bool may_lack = false;
+  std::vector<Finalist> finalists;
+  RefinedMap best;
+  RegistrationResult result;    ///< without a map, unless there is no finalist
+  std::vector<int> begun_from;  ///< the finalist that each alternative is refined from
+};
+
 /// Takes the answers that were not chosen to full precision.
-void refineAlternatives(const PosedSide& source,
-                        const PosedSide& target,
-                        const std::vector<Finalist>& finalists,
-                        const std::vector<int>& answers,
-                        const RefinedAnswers& refined,
-                        bool may_lack,
-                        RegistrationResult& result) {
+void refineAlternatives(const ChosenMap& chosen, RegistrationResult& result) {
+  const PosedSide &source = chosen.source, &target = chosen.target;
   for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
     if (static_cast<int>(k) == result.chosen) continue;
     AlternativeSummary& other = result.alternatives[k];
-    // Alone, as the best is: what is refined beside others is left before its limbs are looked at.
-    const RefinedMap* known = refined.of(answers[k]);
-    const int finalist = known != nullptr ? known->finalist : answers[k];
-    const RefinedMap map =
-        refineFinalists(source.shape, target.shape, {&finalists[finalist]}, may_lack).front();
+    RefinedMap map =
+        refineFinalists(source.shape, target.shape, {&chosen.finalists[chosen.begun_from[k]]})
+            .front();
+    annealMap(source.shape, target.shape, chosen.may_lack, map);
     other.correspondence = correspondenceOf(source.given,
                                             source.shape,
                                             target.given,
@@ -213,13 +220,9 @@ void refineAlternatives(const PosedSide& source,
   }
 }
 
-}  // namespace
-
-RegistrationResult refinedMethod(const GivenShape& source_cleaned,
-                                 const GivenShape& target_cleaned,
-                                 const RegistrationOptions& options,
-                                 StageClock& clock) {
-  PosedSide source(source_cleaned), target(target_cleaned);
+/// Chooses a map: the way from the surfaces to the best of the refined maps.
+void chooseMap(ChosenMap& chosen, StageClock& clock) {
+  PosedSide &source = chosen.source, &target = chosen.target;
   clock.stage("reduction", 0.03, [&] { reduceSides(source, target); });
 
   // The smoothest functions on each surface, which do not change when it bends.
@@ -244,49 +247,71 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
   // mirrored one as well.
   source.scale(distanceRatio(source.shape.samples, target.shape.samples, pool.front()));
 
-  const bool may_lack = mayLack(source, target);
+  chosen.may_lack = mayLack(source, target);
   const SpectralSurface source_coarse = source.shape.coarseSurface(),
                         target_coarse = target.shape.coarseSurface();
-  const std::vector<Finalist> finalists =
-      findFinalists(source, target, source_coarse, target_coarse, pool, may_lack, clock);
-  RegistrationResult result;
+  chosen.finalists =
+      findFinalists(source, target, source_coarse, target_coarse, pool, chosen.may_lack, clock);
+  const std::vector<Finalist>& finalists = chosen.finalists;
+  RegistrationResult& result = chosen.result;
   result.source = summarize(source.given, source.shape);
   result.target = summarize(target.given, target.shape);
   if (finalists.empty()) {
     result.scale = source.pose.unit / target.pose.unit;
     giveVerdictWithoutFinalist(source.given, result);
-    return result;
+    return;
   }
   const double gap = 2 * target.shape.samples.spacing;
   const std::vector<int> distinct = distinctFinalists(finalists, target_coarse.mesh, gap);
   clock.show([&] { return finalistPictures(source_coarse, target_coarse, finalists, distinct); });
 
   // The best of the leading ones wins.
-  const std::vector<RefinedMap> refined = clock.stage("refinement", 0.22, [&] {
-    return refineLeading(source.shape, target.shape, finalists, distinct, may_lack);
-  });
-  const RefinedMap& best = refined.front();
-  const RefinedAnswers refined_answers(
-      refined, finalists, distinct, target_coarse.mesh, target.shape.work.mesh, gap);
-  const std::vector<int> answers = foremost(
-      refined_answers.remaining(), finalists, target_coarse.mesh, best.finalist, MOST_ALTERNATIVES);
-  source.pose.unit *= best.scale;  // its shape stays: other answers have other scales
-  result.scale = source.pose.unit / target.pose.unit;
-  clock.show([&] { return refinedPictures(source.shape, target.shape, best); });
-
-  // All vertices, to a fraction of an edge.
-  const FullMap full = clock.stage("full resolution", 0.05, [&] {
+  clock.stage("refinement", 0.14, [&] {
+    const std::vector<RefinedMap> refined =
+        refineLeading(source.shape, target.shape, finalists, distinct);
+    const RefinedAnswers refined_answers(
+        refined, finalists, distinct, target_coarse.mesh, target.shape.work.mesh, gap);
+    chosen.best = refined.front();
+    const std::vector<int> answers = foremost(refined_answers.remaining(),
+                                              finalists,
+                                              target_coarse.mesh,
+                                              chosen.best.finalist,
+                                              MOST_ALTERNATIVES);
+    source.pose.unit *= chosen.best.scale;  // its shape stays: other answers have other scales
+    result.scale = source.pose.unit / target.pose.unit;
     result.alternatives = summarizeAnswers(source,
                                            target,
                                            target_coarse.mesh,
                                            finalists,
-                                           finalists[best.finalist],
+                                           finalists[chosen.best.finalist],
                                            answers,
                                            refined_answers);
+    for (int answer : answers) {
+      const RefinedMap* known = refined_answers.of(answer);
+      chosen.begun_from.push_back(known != nullptr ? known->finalist : answer);
+    }
     result.chosen = nearestAnswer(result.alternatives);
-    result.score = best.score.total();
+    result.score = chosen.best.score.total();
     result.alternatives[result.chosen].refined_score = result.score;
     result.trust = trustIn(result);
+  });
+}
+
+/// Takes the map chosen to all vertices, and the whole source with it.
+RegistrationResult finishMap(const ChosenMap& chosen,
+                             const RegistrationOptions& options,
+                             StageClock& clock) {
+  const PosedSide &source = chosen.source, &target = chosen.target;
+  RegistrationResult result = chosen.result;
+  const RefinedMap best = clock.stage("annealing", 0.08, [&] {
+    RefinedMap map = chosen.best;
+    annealMap(source.shape, target.shape, chosen.may_lack, map);
+    return map;
+  });
+  clock.show([&] { return refinedPictures(source.shape, target.shape, best); });
+
+  // All vertices, to a fraction of an edge.
+  const FullMap full = clock.stage("full resolution", 0.05, [&] {
     FullMap map = toFullResolution(source.shape, target.shape, best);
     result.correspondence =
         correspondenceOf(source.given, source.shape, target.given, target.shape, map, result.trust);
@@ -302,10 +327,33 @@ RegistrationResult refinedMethod(const GivenShape& source_cleaned,
     clock.stage(
         "way back", 0.0, [&] { result.back = wayBack(source, scaled, target, full, result); });
   if (options.refine_alternatives)
-    clock.stage("alternatives", 0.0, [&] {
-      refineAlternatives(source, target, finalists, answers, refined_answers, may_lack, result);
-    });
+    clock.stage("alternatives", 0.0, [&] { refineAlternatives(chosen, result); });
   return result;
+}
+
+}  // namespace
+
+Attempt refinedMethod(const GivenShape& source,
+                      const GivenShape& target,
+                      const RegistrationOptions& options,
+                      StageClock& clock) {
+  const auto chosen = std::make_shared<ChosenMap>(source, target);
+  chooseMap(*chosen, clock);
+  Attempt attempt{chosen->result, {}};
+  if (chosen->result.chosen < 0) return attempt;
+  if (!options.refine_alternatives) chosen->finalists = {};
+  attempt.found.correspondence = roughCorrespondenceOf(chosen->source.given,
+                                                       chosen->source.shape,
+                                                       chosen->target.given,
+                                                       chosen->target.shape,
+                                                       chosen->best);
+  // One attempt is finished, two with alternatives; those that are not foreseen count for nothing.
+  StageClock::Label label = clock.label();
+  label.portion = label.portion == 0 ? 0 : options.refine_alternatives ? 0.5 : 1;
+  attempt.finish = [chosen, options, &clock, label] {
+    return clock.within(label, [&] { return finishMap(*chosen, options, clock); });
+  };
+  return attempt;
 }
 
 }  // namespace posture

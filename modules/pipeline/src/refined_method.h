@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "attempts.h"
 #include "given_shape.h"
 #include "stage_clock.h"
 
 namespace posture {
 
 /// Beyond the paper: spectra and canonical forms give candidates, those that keep the outside out
-/// are bent onto the target, the best refined to a fraction of an edge, the whole source completed.
-/// docs/pipeline.md has the stages.
-RegistrationResult refinedMethod(const GivenShape& source,
-                                 const GivenShape& target,
-                                 const RegistrationOptions& options,
-                                 StageClock& clock);
+/// are bent onto the target, the best refined. That far the attempt goes at once; finishing it
+/// takes the map to a fraction of an edge and completes the source. docs/pipeline.md has the
+/// stages. The `input` of both sides and the clock outlive the attempt; `clean` need not.
+Attempt refinedMethod(const GivenShape& source,
+                      const GivenShape& target,
+                      const RegistrationOptions& options,
+                      StageClock& clock);
 
 }  // namespace posture

@@ -143,6 +143,29 @@ Correspondence correspondenceOf(const GivenShape& source,
   return correspondence;
 }
 
+Correspondence roughCorrespondenceOf(const GivenShape& source,
+                                     const RefinedShape& source_shape,
+                                     const GivenShape& target,
+                                     const RefinedShape& target_shape,
+                                     const RefinedMap& map) {
+  const std::vector<char> without = withoutPartner(BendableSurface(source_shape.work.mesh),
+                                                   BendableSurface(target_shape.work.mesh),
+                                                   map.pair,
+                                                   map.laid);
+  const std::size_t n = source.clean.clean_vertex.size();
+  Correspondence correspondence;
+  correspondence.on_target.resize(n);
+  correspondence.confidence = Vector::Zero(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    const int work = source_shape.work.nearest[source.clean.clean_vertex[v]];
+    if (source.clean.offset[v] > 0 || without[work]) continue;
+    correspondence.on_target[v].vertex =
+        target.clean.input_vertex[target_shape.work.vertex[map.pair.maps.forward[work]]];
+    correspondence.confidence[v] = 1;
+  }
+  return correspondence;
+}
+
 std::vector<int> coarseToInput(const VertexMaps& maps,
                                const GivenShape& source,
                                const RefinedShape& source_shape,

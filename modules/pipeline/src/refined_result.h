@@ -36,6 +36,14 @@ Correspondence correspondenceOf(const GivenShape& source,
                                 const FullMap& map,
                                 double trust);
 
+/// A map of the work meshes in terms of the vertices as they were given, to the spacing of these
+/// meshes and for the main surface alone: enough to tell answers apart. Trusted fully.
+Correspondence roughCorrespondenceOf(const GivenShape& source,
+                                     const RefinedShape& source_shape,
+                                     const GivenShape& target,
+                                     const RefinedShape& target_shape,
+                                     const RefinedMap& map);
+
 /// The map of a coarse finalist in the numbering of the input.
 std::vector<int> coarseToInput(const VertexMaps& maps,
                                const GivenShape& source,

@@ -37,33 +37,42 @@ double mappedShare(const RegistrationResult& result) {
 
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted:
 /// the better map tells.
-RegistrationResult registerWhole(const GivenShape& source,
-                                 const GivenShape& target,
-                                 const RegistrationOptions& options,
-                                 double portion,
-                                 StageClock& clock) {
+Attempt registerWhole(const GivenShape& source,
+                      const GivenShape& target,
+                      const RegistrationOptions& options,
+                      double portion,
+                      StageClock& clock) {
   const auto [source_parted, target_parted] = clock.stage("contacts", 0, [&] {
     return std::pair(partedSurface(source.input, source.clean),
                      partedSurface(target.input, target.clean));
   });
   const bool parted = source_parted.contacts > 0 || target_parted.contacts > 0;
-  RegistrationResult result = clock.firstAttempt(parted ? portion / 2 : portion, [&] {
-    return refinedMethod(source, target, options, clock);
-  });
-  if (!parted) return result;
-  std::optional<RegistrationResult> other = clock.tryAttempt(
+  Attempt whole = clock.within({"", parted ? portion / 2 : portion},
+                               [&] { return refinedMethod(source, target, options, clock); });
+  if (!parted) return whole;
+  std::optional<Attempt> other = clock.tryAttempt(
       "parted", portion / 2, [&, &a = source_parted.clean, &b = target_parted.clean] {
         return refinedMethod({source.input, a, source.patch_vertices},
                              {target.input, b, target.patch_vertices},
                              options,
                              clock);
       });
-  if (!other || other->score > result.score - SCORE_NOISE) return result;
-  other->source = withMeasured(result.source, other->source);
-  other->target = withMeasured(result.target, other->target);
-  other->source.parted_contacts = source_parted.contacts;
-  other->target.parted_contacts = target_parted.contacts;
-  return std::move(*other);
+  if (!other || other->found.score > whole.found.score - SCORE_NOISE) return whole;
+  Attempt cut = withChange(std::move(*other),
+                           [of_source = whole.found.source,
+                            of_target = whole.found.target,
+                            a = source_parted.contacts,
+                            b = target_parted.contacts](RegistrationResult& result) {
+                             result.source = withMeasured(of_source, result.source);
+                             result.target = withMeasured(of_target, result.target);
+                             result.source.parted_contacts = a;
+                             result.target.parted_contacts = b;
+                           });
+  cut.finish = [finish = std::move(cut.finish), whole = std::move(whole), &clock] {
+    std::optional<RegistrationResult> result = clock.tryTo(finish);
+    return result ? std::move(*result) : finished(whole);
+  };
+  return cut;
 }
 
 /// The same, and where there are holes to speak of once more with those closed that may be.
@@ -77,40 +86,49 @@ RegistrationResult registerPatched(const GivenShape& source,
                      withPatches(target.input, target.clean));
   });
   const bool matters = std::max(source_patched.rims, target_patched.rims) > MANY_RIMS;
-  RegistrationResult result = registerWhole(source, target, options, matters ? 0.5 : 1, clock);
-  if (!matters) return result;
-  std::optional<RegistrationResult> patched =
+  Attempt as_given = registerWhole(source, target, options, matters ? 0.5 : 1, clock);
+  if (!matters) return finished(std::move(as_given));
+  std::optional<Attempt> patched =
       clock.tryAttempt("patched", 0.5, [&, &a = source_patched, &b = target_patched] {
         return refinedMethod(a.given(), b.given(), options, clock);
       });
-  if (!patched) return result;
-  leaveOutPatches(source, source_patched, target, target_patched, *patched);
-  if (result.chosen >= 0 && patched->chosen >= 0 && isSameAnswer(result, *patched, target.input))
-    return withPatchedMap(std::move(result), std::move(*patched));
-  std::vector<RegistrationResult> attempts;
-  attempts.push_back(std::move(result));
-  attempts.push_back(std::move(*patched));
-  return bestAttempt(std::move(attempts), target.input, options);
+  if (!patched) return finished(std::move(as_given));
+  Attempt closed =
+      withChange(std::move(*patched),
+                 [&, &a = source_patched, &b = target_patched](RegistrationResult& result) {
+                   leaveOutPatches(source, a, target, b, result);
+                 });
+  if (as_given.found.chosen < 0 || closed.found.chosen < 0 ||
+      !isSameAnswer(as_given.found, closed.found, target.input)) {
+    std::vector<Attempt> attempts;
+    attempts.push_back(std::move(as_given));
+    attempts.push_back(std::move(closed));
+    return bestAttempt(std::move(attempts), target.input, options, clock);
+  }
+  if (patchesLeadAstray(as_given.found, closed.found)) return finished(std::move(as_given));
+  std::optional<RegistrationResult> map = clock.tryTo([&] { return finished(std::move(closed)); });
+  if (!map) return finished(std::move(as_given));
+  if (options.refine_alternatives)
+    if (auto whole = clock.tryTo([&] { return finished(as_given); })) as_given.found = *whole;
+  return withPatchedMap(std::move(as_given.found), std::move(*map));
 }
 
 /// For surfaces in pieces: joined where the gaps between them are narrow, they may tell more.
-void addJoinedAttempt(const GivenShape& source,
-                      const GivenShape& target,
-                      const RegistrationOptions& options,
-                      StageClock& clock,
-                      std::vector<RegistrationResult>& attempts) {
+std::optional<RegistrationResult> registerJoined(const GivenShape& source,
+                                                 const GivenShape& target,
+                                                 const RegistrationOptions& options,
+                                                 StageClock& clock) {
   const auto [source_joined, target_joined] = clock.stage("joining", 0, [&] {
     return std::pair(withBridges(source.input, source.clean),
                      withBridges(target.input, target.clean));
   });
-  if (source_joined.pieces == 0 && target_joined.pieces == 0) return;
+  if (source_joined.pieces == 0 && target_joined.pieces == 0) return {};
   std::optional<RegistrationResult> joined =
       clock.tryAttempt("joined", 0, [&, &a = source_joined, &b = target_joined] {
-        return refinedMethod(a.given(), b.given(), options, clock);
+        return finished(refinedMethod(a.given(), b.given(), options, clock));
       });
-  if (!joined) return;
-  leaveOutPatches(source, source_joined, target, target_joined, *joined);
-  attempts.push_back(std::move(*joined));
+  if (joined) leaveOutPatches(source, source_joined, target, target_joined, *joined);
+  return joined;
 }
 
 /// What was found on a part of a surface, and all of it otherwise.
@@ -126,7 +144,7 @@ void addPieceAttempts(const GivenShape& source,
                       const GivenShape& target,
                       const RegistrationOptions& options,
                       StageClock& clock,
-                      std::vector<RegistrationResult>& attempts) {
+                      std::vector<Attempt>& attempts) {
   std::vector<std::pair<CleanMesh, CleanMesh>> pairs = clock.stage("pieces", 0, [&] {
     std::vector<std::pair<CleanMesh, CleanMesh>> found;
     const bool source_may = mayBePiece(source.clean), target_may = mayBePiece(target.clean);
@@ -141,14 +159,18 @@ void addPieceAttempts(const GivenShape& source,
   });
   int number = 0;
   for (const auto& [a, b] : pairs) {
-    std::optional<RegistrationResult> piece =
+    std::optional<Attempt> piece =
         clock.tryAttempt("piece-" + std::to_string(++number), 0, [&, &a = a, &b = b] {
           return refinedMethod({source.input, a}, {target.input, b}, options, clock);
         });
     if (!piece) continue;
-    piece->source = withPart(attempts.front().source, piece->source);
-    piece->target = withPart(attempts.front().target, piece->target);
-    attempts.push_back(std::move(*piece));
+    attempts.push_back(
+        withChange(std::move(*piece),
+                   [of_source = attempts.front().found.source,
+                    of_target = attempts.front().found.target](RegistrationResult& result) {
+                     result.source = withPart(of_source, result.source);
+                     result.target = withPart(of_target, result.target);
+                   }));
   }
 }
 
@@ -158,17 +180,22 @@ RegistrationResult registerMeshes(const GivenShape& source,
                                   StageClock& clock) {
   if (options.method == Method::PAPER) return publishedMethod(source, target, clock);
 
-  std::vector<RegistrationResult> attempts;
-  attempts.push_back(registerPatched(source, target, options, clock));
-  const double mapped = mappedShare(attempts.front());
-  if (!looksAlike(attempts.front()) || mapped < NEARLY_ALL)
-    addJoinedAttempt(source, target, options, clock, attempts);
-  if (attempts.size() == 2 && isSameAnswer(attempts[0], attempts[1], target.input) &&
-      attempts[1].status == Status::REGISTERED && mappedShare(attempts[1]) > mapped + CLEARLY_MORE)
-    return std::move(attempts[1]);
-  if (std::none_of(attempts.begin(), attempts.end(), looksAlike))
+  RegistrationResult main = registerPatched(source, target, options, clock);
+  const double mapped = mappedShare(main);
+  std::optional<RegistrationResult> joined;
+  if (!looksAlike(main) || mapped < NEARLY_ALL)
+    joined = registerJoined(source, target, options, clock);
+  if (joined && isSameAnswer(main, *joined, target.input) && joined->status == Status::REGISTERED &&
+      mappedShare(*joined) > mapped + CLEARLY_MORE)
+    return std::move(*joined);
+  std::vector<Attempt> attempts;
+  attempts.push_back({std::move(main), {}});
+  if (joined) attempts.push_back({std::move(*joined), {}});
+  if (std::none_of(attempts.begin(), attempts.end(), [](const Attempt& attempt) {
+        return looksAlike(attempt.found);
+      }))
     addPieceAttempts(source, target, options, clock, attempts);
-  return bestAttempt(std::move(attempts), target.input, options);
+  return bestAttempt(std::move(attempts), target.input, options, clock);
 }
 
 /// What cleanSide() did to a mesh before its shape was measured.

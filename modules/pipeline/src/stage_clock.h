@@ -25,12 +25,12 @@ class StageClock {
   /// run, of clouds too, come to at most 1.
   template <class Work>
   auto stage(const std::string& name, double share, const Work& work) {
-    tell({attempt_, name, progress_, {}});
+    tell({label_.attempt, name, progress_, {}});
     const auto start = std::chrono::steady_clock::now();
     const auto end = [&] {
       const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-      timings_.push_back({attempt_, name, elapsed.count()});
-      progress_ += portion_ * share;
+      timings_.push_back({label_.attempt, name, elapsed.count()});
+      progress_ += label_.portion * share;
     };
     if constexpr (std::is_void_v<decltype(work())>) {
       work();
@@ -44,13 +44,20 @@ class StageClock {
 
   /// Hands the pictures of the stage just run to the observer.
   void show(const std::function<std::vector<StagePicture>()>& pictures) {
-    if (!timings_.empty()) tell({attempt_, timings_.back().stage, progress_, pictures});
+    if (!timings_.empty()) tell({label_.attempt, timings_.back().stage, progress_, pictures});
   }
 
-  /// Runs the first attempt; the shares of its stages count by `portion`.
+  /// The attempt that stages belong to, and what their shares count by.
+  struct Label {
+    std::string attempt;  ///< "": the first
+    double portion = 1;
+  };
+  const Label& label() const { return label_; }
+
+  /// Runs stages under a label.
   template <class Work>
-  auto firstAttempt(double portion, const Work& work) {
-    const Scope scope(*this, "", portion);
+  auto within(const Label& label, const Work& work) {
+    const Scope scope(*this, label);
     return work();
   }
 
@@ -58,7 +65,12 @@ class StageClock {
   template <class Work>
   auto tryAttempt(const std::string& name, double portion, const Work& work)
       -> std::optional<decltype(work())> {
-    const Scope scope(*this, name, portion);
+    return tryTo([&] { return within({name, portion}, work); });
+  }
+
+  /// Runs what may find too little to work on: none then.
+  template <class Work>
+  auto tryTo(const Work& work) -> std::optional<decltype(work())> {
     try {
       return work();
     } catch (const std::runtime_error&) {
@@ -71,17 +83,14 @@ class StageClock {
 
  private:
   struct Scope {
-    Scope(StageClock& clock_in, const std::string& name, double portion) : clock(clock_in) {
-      clock.attempt_ = name;
-      clock.portion_ = portion;
+    Scope(StageClock& clock_in, const Label& label) : clock(clock_in), before(clock.label_) {
+      clock.label_ = label;
     }
-    ~Scope() {
-      clock.attempt_.clear();
-      clock.portion_ = 1;
-    }
+    ~Scope() { clock.label_ = before; }
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
     StageClock& clock;
+    Label before;
   };
 
   void tell(const StageEvent& event) {
@@ -93,8 +102,8 @@ class StageClock {
 
   const Observer& observer_;
   std::vector<StageTiming> timings_;
-  std::string attempt_;
-  double progress_ = 0, portion_ = 1;
+  Label label_;
+  double progress_ = 0;
   bool is_observer_speaking_ = false;
 };
 
