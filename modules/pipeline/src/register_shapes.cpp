@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/edges.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/refine/map_score.h>
 
@@ -29,10 +30,20 @@ constexpr int MOST_PARTS = 4;
 /// give so much more.
 constexpr double NEARLY_ALL = 0.9, CLEARLY_MORE = 0.05;
 
+/// More of a side's area in pieces is more than eyes and crumbs: a finger or a tail, and what is
+/// one with the main surface on the other side would be squeezed onto what is next to it.
+constexpr double A_LIMB = 0.02;
+
 /// Of the source's vertices, those with a counterpart.
 double mappedShare(const RegistrationResult& result) {
   return static_cast<double>(mappedCount(result.correspondence.on_target)) /
          static_cast<double>(result.correspondence.on_target.size());
+}
+
+/// Of a side's area, that of the pieces that are not joined to its main surface.
+double shareInPieces(const CleanMesh& clean) {
+  const double pieces = faceAreas(clean.pieces).sum();
+  return pieces / (pieces + faceAreas(clean.mesh).sum());
 }
 
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted:
@@ -183,7 +194,8 @@ RegistrationResult registerMeshes(const GivenShape& source,
   RegistrationResult main = registerPatched(source, target, options, clock);
   const double mapped = mappedShare(main);
   std::optional<RegistrationResult> joined;
-  if (!looksAlike(main) || mapped < NEARLY_ALL)
+  if (!looksAlike(main) || mapped < NEARLY_ALL ||
+      std::max(shareInPieces(source.clean), shareInPieces(target.clean)) > A_LIMB)
     joined = registerJoined(source, target, options, clock);
   if (joined && isSameAnswer(main, *joined, target.input) && joined->status == Status::REGISTERED &&
       mappedShare(*joined) > mapped + CLEARLY_MORE)
