@@ -93,9 +93,13 @@ TEST(Attempts, onlyTheBestIsFinished) {
   EXPECT_EQ(better, 1);
 }
 
+Attempt unfinishable(double score, int place) {
+  return {answerWith(score, place),
+          []() -> RegistrationResult { throw std::runtime_error("no surface"); }};
+}
+
 TEST(Attempts, oneThatCannotBeFinishedIsLeft) {
-  const Attempt failing{answerWith(-12, 2),
-                        []() -> RegistrationResult { throw std::runtime_error("no surface"); }};
+  const Attempt failing = unfinishable(-12, 2);
   const RegistrationResult result = best({{answerWith(-11, 1), {}}, failing});
   EXPECT_EQ(result.score, -11);
   EXPECT_EQ(result.alternatives.size(), 1u);
@@ -103,9 +107,7 @@ TEST(Attempts, oneThatCannotBeFinishedIsLeft) {
 }
 
 TEST(Attempts, aRivalThatCannotBeFinishedIsStillNamed) {
-  const Attempt failing{answerWith(-11, 2),
-                        []() -> RegistrationResult { throw std::runtime_error("no surface"); }};
-  const RegistrationResult result = best({{answerWith(-12, 1), {}}, failing});
+  const RegistrationResult result = best({{answerWith(-12, 1), {}}, unfinishable(-11, 2)});
   EXPECT_EQ(result.score, -12);
   ASSERT_EQ(result.alternatives.size(), 2u);
   EXPECT_EQ(result.alternatives[1].score, -11);
