@@ -3,6 +3,7 @@
 #include <posture/core/error.h>
 #include <posture/mesh/clean_mesh.h>
 #include <posture/mesh/edges.h>
+#include <posture/mesh/normals.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -24,6 +25,18 @@ double volume(const TriangleMesh& mesh) {
     sum += a.dot(b.cross(c)) / 6;
   }
   return sum;
+}
+
+/// Without the faces whose first corner is farther along x or z than that.
+TriangleMesh below(TriangleMesh mesh, const Eigen::Vector2d& most) {
+  int kept = 0;
+  for (int f = 0; f < mesh.faces.rows(); ++f) {
+    const Eigen::RowVector3d corner = mesh.vertices.row(mesh.faces(f, 0));
+    if (corner.x() <= most.x() && corner.z() <= most.y())
+      mesh.faces.row(kept++) = mesh.faces.row(f).eval();
+  }
+  mesh.faces.conservativeResize(kept, 3);
+  return mesh;
 }
 
 /// `second` after `first`, shifted.
@@ -167,6 +180,55 @@ TEST(CleanMesh, orientsAnOpenSurfaceTheWayMostOfItFaces) {
     const Eigen::RowVector3d c = clean.mesh.vertices.row(clean.mesh.faces(f, 2));
     EXPECT_GT((b - a).cross(c - a).z(), 0);
   }
+}
+
+TEST(CleanMesh, turnsASurfaceOutwardsThatIsClosedButForSmallHoles) {
+  TriangleMesh ball = below(test::sphere(4), {0.8, 0.9});
+  ball.faces.col(0).swap(ball.faces.col(1));
+  const CleanMesh clean = cleanMesh(ball);
+  EXPECT_TRUE(clean.outward_known);
+  EXPECT_TRUE(isTurnedOver(clean));
+  EXPECT_GT(volume(clean.mesh), 1);
+  EXPECT_EQ(clean.summary.flipped_faces, ball.faces.rows());
+  for (signed char sense : clean.face_sense) EXPECT_EQ(sense, -1);
+  EXPECT_LT(volume(cleanMesh(ball, Facing::AS_MOST).mesh), -1);
+}
+
+TEST(CleanMesh, leavesAShellTheWayItFaces) {
+  // Half a sphere: its lid has half its area.
+  TriangleMesh shell = below(test::sphere(4), {1.0, 0.0});
+  shell.faces.col(0).swap(shell.faces.col(1));
+  const CleanMesh clean = cleanMesh(shell);
+  EXPECT_FALSE(clean.outward_known);
+  EXPECT_FALSE(isTurnedOver(clean));
+  EXPECT_EQ(clean.mesh.faces.rows(), shell.faces.rows());
+  EXPECT_LT(volume(clean.mesh), 0);
+}
+
+TEST(CleanMesh, turnsPiecesThatDoNotTellTheWayTheMainSurfaceWasTurned) {
+  const TriangleMesh sphere = test::sphere(3), shell = below(sphere, {1.0, 0.0});
+  TriangleMesh all = together(together(sphere, shell, {4, 0, 0}), test::sphere(2), {8, 0, 0});
+  all.vertices.topRows(sphere.vertices.rows()) *= 2;
+  TriangleMesh inside_out = all;
+  inside_out.faces.col(0).swap(inside_out.faces.col(1));
+  const CleanMesh right = cleanMesh(all), mended = cleanMesh(inside_out);
+  ASSERT_GT(right.pieces.faces.rows(), 0);
+  EXPECT_GT(volume(right.mesh), 0);
+  EXPECT_NEAR(volume(mended.mesh), volume(right.mesh), 1e-12);
+  EXPECT_NEAR(volume(mended.pieces), volume(right.pieces), 1e-9);
+  CleanMesh turned = right;
+  turnOver(turned);
+  EXPECT_NEAR(volume(turned.mesh), -volume(right.mesh), 1e-12);
+  EXPECT_TRUE(isTurnedOver(turned));
+  // The shell looks the other way, the ball beside it does not.
+  const Points outward = vertexNormals(right.pieces), after = vertexNormals(turned.pieces);
+  int changed = 0;
+  for (int v = 0; v < after.rows(); ++v) {
+    const bool of_shell = right.pieces.vertices(v, 0) < 6;
+    EXPECT_EQ(outward.row(v).dot(after.row(v)) < 0, of_shell);
+    changed += of_shell;
+  }
+  EXPECT_GT(changed, 0);
 }
 
 TEST(CleanMesh, keepsNonManifoldEdgesAndCountsThem) {

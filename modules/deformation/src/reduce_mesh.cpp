@@ -100,7 +100,7 @@ ReducedMesh reduceMesh(const TriangleMesh& mesh, int count) {
     reduced.faces = delaunayFlips(reduced);
   }
   // What the collapse had to cut off goes.
-  const CleanMesh connected = cleanMesh(reduced);
+  const CleanMesh connected = cleanMesh(reduced, Facing::AS_MOST);
   std::vector<char> stays(n, 0);
   for (int v : connected.input_vertex) stays[v] = 1;
   ReducedMesh result;

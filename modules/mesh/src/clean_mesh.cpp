@@ -7,8 +7,7 @@
 #include <posture/mesh/point_index.h>
 #include <posture/mesh/require_mesh.h>
 
-#include <Eigen/Geometry>
-
+#include "orient_faces.h"
 #include "weld.h"
 #include <algorithm>
 #include <array>
@@ -18,10 +17,16 @@
 namespace posture {
 namespace {
 
-std::vector<Eigen::Vector3i> usableFaces(const Faces& faces,
-                                         const std::vector<int>& representative,
-                                         CleaningSummary& summary) {
-  std::vector<Eigen::Vector3i> usable;
+/// Faces between the vertices that stay, and which faces of the input they were.
+struct UsableFaces {
+  std::vector<Eigen::Vector3i> corners;
+  std::vector<int> input_face;
+};
+
+UsableFaces usableFaces(const Faces& faces,
+                        const std::vector<int>& representative,
+                        CleaningSummary& summary) {
+  UsableFaces usable;
   std::set<std::array<int, 3>> seen;
   for (int f = 0; f < faces.rows(); ++f) {
     const Eigen::Vector3i t(
@@ -32,10 +37,12 @@ std::vector<Eigen::Vector3i> usableFaces(const Faces& faces,
     }
     std::array<int, 3> corners{t[0], t[1], t[2]};
     std::sort(corners.begin(), corners.end());
-    if (seen.insert(corners).second)
-      usable.push_back(t);
-    else
+    if (!seen.insert(corners).second) {
       ++summary.repeated_faces;
+      continue;
+    }
+    usable.corners.push_back(t);
+    usable.input_face.push_back(f);
   }
   return usable;
 }
@@ -46,90 +53,14 @@ Faces toFaces(const std::vector<Eigen::Vector3i>& triangles) {
   return faces;
 }
 
-bool hasDirectedEdge(const Faces& faces, int face, int from, int to) {
-  for (int k = 0; k < 3; ++k)
-    if (faces(face, k) == from && faces(face, (k + 1) % 3) == to) return true;
-  return false;
-}
-
-double signedVolume(const TriangleMesh& mesh, const std::vector<int>& patch) {
-  const Eigen::Vector3d origin = mesh.vertices.row(mesh.faces(patch[0], 0));
-  double volume = 0;
-  for (int f : patch) {
-    const Eigen::Vector3d a = mesh.vertices.row(mesh.faces(f, 0)).transpose() - origin;
-    const Eigen::Vector3d b = mesh.vertices.row(mesh.faces(f, 1)).transpose() - origin;
-    const Eigen::Vector3d c = mesh.vertices.row(mesh.faces(f, 2)).transpose() - origin;
-    volume += a.dot(b.cross(c)) / 6;
-  }
-  return volume;
-}
-
-/// Turns the faces of each patch alike: outwards where the patch is closed, otherwise the way most
-/// of its area already faces.
-class Orienter {
- public:
-  explicit Orienter(TriangleMesh& mesh)
-      : mesh_(mesh),
-        given_(mesh.faces),
-        across_(facesAcross(mesh.faces)),
-        areas_(faceAreas(mesh)),
-        visited_(mesh.faces.rows(), 0) {}
-
-  /// Returns the number of faces turned round.
-  int run() {
-    for (int seed = 0; seed < given_.rows(); ++seed) {
-      if (visited_[seed]) continue;
-      const Patch patch = grow(seed);
-      if (patch.closed ? signedVolume(mesh_, patch.faces) < 0 : patch.agreeing < 0)
-        for (int f : patch.faces) flip(f);
-    }
-    int flipped = 0;
-    for (int f = 0; f < given_.rows(); ++f) flipped += mesh_.faces.row(f) != given_.row(f);
-    return flipped;
-  }
-
- private:
-  struct Patch {
-    std::vector<int> faces;
-    bool closed = true;
-    double agreeing = 0;  ///< area that faces as it was given less area that does not
-  };
-
-  /// Turns all that can be reached from a face the way that face is.
-  Patch grow(int seed) {
-    visited_[seed] = 1;
-    Patch patch;
-    patch.faces.push_back(seed);
-    for (std::size_t next = 0; next < patch.faces.size(); ++next) {
-      const int f = patch.faces[next];
-      patch.agreeing += mesh_.faces.row(f) == given_.row(f) ? areas_[f] : -areas_[f];
-      for (int k = 0; k < 3; ++k) {
-        const int g = across_(f, k);
-        patch.closed = patch.closed && g >= 0;
-        if (g < 0 || visited_[g]) continue;
-        visited_[g] = 1;
-        const int a = given_(f, k), b = given_(f, (k + 1) % 3);
-        const bool f_runs_ab = hasDirectedEdge(mesh_.faces, f, a, b);
-        if (hasDirectedEdge(mesh_.faces, g, a, b) == f_runs_ab) flip(g);
-        patch.faces.push_back(g);
-      }
-    }
-    return patch;
-  }
-
-  void flip(int face) { std::swap(mesh_.faces(face, 1), mesh_.faces(face, 2)); }
-
-  TriangleMesh& mesh_;
-  const Faces given_, across_;
-  const Vector areas_;
-  std::vector<char> visited_;
-};
-
 /// Of the main surface's area: less is a crumb.
 constexpr double LEAST_PIECE = 0.01;
 
 /// Puts the parts other than the main one that are no crumbs into `clean.pieces`.
-void keepPieces(const TriangleMesh& welded, const ConnectedParts& parts, CleanMesh& clean) {
+void keepPieces(const TriangleMesh& welded,
+                const ConnectedParts& parts,
+                Facing facing,
+                CleanMesh& clean) {
   std::vector<Eigen::Vector3i> faces;
   std::vector<int> number(welded.vertices.rows(), -1);
   for (int f = 0; f < welded.faces.rows(); ++f) {
@@ -146,7 +77,8 @@ void keepPieces(const TriangleMesh& welded, const ConnectedParts& parts, CleanMe
     }
   }
   clean.pieces = {welded.vertices(clean.piece_vertex, Eigen::all), toFaces(faces)};
-  Orienter(clean.pieces).run();
+  if (isTurnedOver(clean)) clean.pieces.faces.col(1).swap(clean.pieces.faces.col(2));
+  orientFaces(clean.pieces, facing);
 }
 
 /// What rounding leaves between corners in a line, as read or far from the origin.
@@ -172,7 +104,7 @@ void attachLooseVertices(const Points& vertices, CleanMesh& clean) {
 
 }  // namespace
 
-CleanMesh cleanMesh(const TriangleMesh& input) {
+CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
   const int n = static_cast<int>(input.vertices.rows());
   if (input.faces.rows() == 0) throw InputError("has no faces");
   requireMesh(input);
@@ -181,7 +113,8 @@ CleanMesh cleanMesh(const TriangleMesh& input) {
   const std::vector<int> representative = weld(input.vertices);
   for (int v = 0; v < n; ++v) summary.welded_vertices += representative[v] != v;
 
-  TriangleMesh welded{input.vertices, toFaces(usableFaces(input.faces, representative, summary))};
+  const UsableFaces usable = usableFaces(input.faces, representative, summary);
+  TriangleMesh welded{input.vertices, toFaces(usable.corners)};
   if (welded.faces.rows() == 0) throw InputError("has no face with three different corners");
   std::vector<char> referenced(n, 0);
   for (int i = 0; i < input.faces.size(); ++i) referenced[input.faces.data()[i]] = 1;
@@ -193,8 +126,12 @@ CleanMesh cleanMesh(const TriangleMesh& input) {
   clean.clean_vertex.assign(n, -1);
   clean.offset = Vector::Zero(n);
   std::vector<Eigen::Vector3i> faces;
-  for (int f = 0; f < welded.faces.rows(); ++f)
-    if (parts.of_face[f] == parts.largest) faces.emplace_back(welded.faces.row(f));
+  std::vector<int> input_face;
+  for (int f = 0; f < welded.faces.rows(); ++f) {
+    if (parts.of_face[f] != parts.largest) continue;
+    faces.emplace_back(welded.faces.row(f));
+    input_face.push_back(usable.input_face[f]);
+  }
   // Numbered in the order of the input.
   for (const auto& t : faces)
     for (int k = 0; k < 3; ++k) clean.clean_vertex[t[k]] = 0;
@@ -213,11 +150,30 @@ CleanMesh cleanMesh(const TriangleMesh& input) {
   clean.mesh.vertices = input.vertices(clean.input_vertex, Eigen::all);
   if (!(parts.area[parts.largest] > areaOfRounding(clean.mesh.vertices)))
     throw InputError("has only faces without area");
-  summary.flipped_faces = Orienter(clean.mesh).run();
+  const Orientation orientation = orientFaces(clean.mesh, facing);
+  clean.outward_known = orientation.outward_known;
+  clean.face_sense.assign(input.faces.rows(), 0);
+  for (std::size_t f = 0; f < input_face.size(); ++f) {
+    clean.face_sense[input_face[f]] = orientation.turned[f] != 0 ? -1 : 1;
+    summary.flipped_faces += orientation.turned[f];
+  }
   for (const Edge& e : meshEdges(clean.mesh.faces)) summary.non_manifold_edges += e.faces > 2;
   attachLooseVertices(input.vertices, clean);
-  keepPieces(welded, parts, clean);
+  keepPieces(welded, parts, facing, clean);
   return clean;
+}
+
+bool isTurnedOver(const CleanMesh& clean) {
+  return 2 * clean.summary.flipped_faces > clean.mesh.faces.rows();
+}
+
+void turnOver(CleanMesh& clean) {
+  for (TriangleMesh* mesh : {&clean.mesh, &clean.pieces})
+    mesh->faces.col(1).swap(mesh->faces.col(2));
+  orientFaces(clean.pieces, Facing::OUTWARD);
+  for (signed char& sense : clean.face_sense) sense = static_cast<signed char>(-sense);
+  clean.summary.flipped_faces =
+      static_cast<int>(clean.mesh.faces.rows()) - clean.summary.flipped_faces;
 }
 
 int cornerPlaces(const TriangleMesh& mesh, int vertices) {

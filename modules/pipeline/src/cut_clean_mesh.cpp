@@ -5,6 +5,7 @@
 #include <posture/core/error.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace posture {
 
@@ -20,7 +21,10 @@ TriangleMesh withoutVertices(const TriangleMesh& input,
     const bool touches = std::any_of(face.data(), face.data() + 3, [&](int v) {
       return clean.offset[v] == 0 && gone[clean.clean_vertex[v]];
     });
-    if (!touches) cut.faces.row(kept++) = face;
+    if (touches) continue;
+    cut.faces.row(kept) = face;
+    if (clean.face_sense[f] < 0) std::swap(cut.faces(kept, 1), cut.faces(kept, 2));
+    ++kept;
   }
   cut.faces.conservativeResize(kept, 3);
   return cut;
@@ -28,7 +32,7 @@ TriangleMesh withoutVertices(const TriangleMesh& input,
 
 std::optional<CleanMesh> cleanRest(const TriangleMesh& cut) {
   try {
-    return cleanMesh(cut);
+    return cleanMesh(cut, Facing::AS_MOST);
   } catch (const InputError&) {
     return std::nullopt;
   }

@@ -9,12 +9,14 @@
 
 namespace posture {
 
-/// The input without faces that touch the clean vertices.
+/// The input without faces that touch the clean vertices; those of the main surface look the way
+/// they do there.
 TriangleMesh withoutVertices(const TriangleMesh& input,
                              const CleanMesh& clean,
                              const std::vector<int>& vertices);
 
-/// The main surface of what is left of an input; nothing where that is too little.
+/// The main surface of what is left of an input, looking the way most of that does; nothing where
+/// it is too little.
 std::optional<CleanMesh> cleanRest(const TriangleMesh& cut);
 
 }  // namespace posture

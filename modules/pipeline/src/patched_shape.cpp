@@ -118,9 +118,8 @@ bool isTurnedRound(const CleanMesh& before, const CleanMesh& after) {
 /// Cleans a side after surface was put in.
 void cleanAgain(const CleanMesh& before, PatchedShape& patched) {
   patched.clean = cleanMesh(patched.input);
-  // Closed, it may have been turned outwards; the other side may still be open and as it was.
-  if (isTurnedRound(before, patched.clean))
-    patched.clean.mesh.faces.col(1).swap(patched.clean.mesh.faces.col(2));
+  // More may be known of its outside now than was before, and than is of the other side's.
+  if (isTurnedRound(before, patched.clean)) turnOver(patched.clean);
 }
 
 /// What was given, and what was done with it.

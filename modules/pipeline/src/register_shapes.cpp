@@ -5,7 +5,7 @@
 #include <posture/refine/map_score.h>
 
 #include "attempts.h"
-#include "clean_side.h"
+#include "clean_sides.h"
 #include "contacts.h"
 #include "patched_shape.h"
 #include "pieces.h"
@@ -210,7 +210,7 @@ RegistrationResult registerMeshes(const GivenShape& source,
   return bestAttempt(std::move(attempts), target.input, options, clock);
 }
 
-/// What cleanSide() did to a mesh before its shape was measured.
+/// What cleanSides() did to a mesh before its shape was measured.
 void noteDenoising(const SideSurface& side, ShapeSummary& summary, Points& denoised) {
   summary.denoising = side.denoising;
   if (side.denoising.movedAny()) denoised = side.mesh.vertices;
@@ -220,12 +220,11 @@ RegistrationResult registerSurfaces(SideSurface& source,
                                     SideSurface& target,
                                     const RegistrationOptions& options,
                                     StageClock& clock) {
-  const auto [source_clean, target_clean] = clock.stage("cleaning", 0.02, [&] {
-    return std::pair(cleanSide("source", source), cleanSide("target", target));
-  });
-  clock.show([&, &a = source_clean, &b = target_clean] { return cleaningPictures(a, b); });
+  const CleanSides clean =
+      clock.stage("cleaning", 0.02, [&] { return cleanSides(source, target); });
+  clock.show([&] { return cleaningPictures(clean.source, clean.target); });
   RegistrationResult result =
-      registerMeshes({source.mesh, source_clean}, {target.mesh, target_clean}, options, clock);
+      registerMeshes({source.mesh, clean.source}, {target.mesh, clean.target}, options, clock);
   noteDenoising(source, result.source, result.source_denoised);
   noteDenoising(target, result.target, result.target_denoised);
   return result;

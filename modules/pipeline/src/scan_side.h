@@ -13,7 +13,7 @@ namespace posture {
 struct SideSurface {
   TriangleMesh mesh;
   std::optional<ScanSurface> scan;  ///< of a point cloud; its mesh is in `mesh`
-  Denoising denoising;              ///< set by cleanSide()
+  Denoising denoising;              ///< set by cleanSides()
 };
 
 /// \throws InputError  no surface can be laid through the points; names the side.

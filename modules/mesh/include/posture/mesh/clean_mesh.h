@@ -31,19 +31,36 @@ struct CleanMesh {
   std::vector<int> clean_vertex;
   /// Input vertex -> distance to that clean vertex; 0 exactly on the main surface.
   Vector offset;
+  /// Input face -> 1: on the main surface, as it was given; -1: on it, turned round; 0: not on it.
+  std::vector<signed char> face_sense;
+  /// Whether the main surface, or most of it, encloses a volume but for its holes, so that its own
+  /// shape tells the outside.
+  bool outward_known = false;
   /// The other connected parts, those of less than a hundredth of its area left out; oriented each
-  /// by itself.
+  /// by itself, the way the main surface was turned where they do not tell.
   TriangleMesh pieces;
   std::vector<int> piece_vertex;  ///< vertex of the pieces -> the first input vertex at its place
   CleaningSummary summary;
 };
 
-/// Welds vertices at the same place, drops degenerate and repeated faces, orients faces alike
-/// (outwards where the surface encloses a volume), keeps the main surface. Edges with more than two
-/// faces stay: geodesics run across them; cutNonManifold() separates them where a stage needs it.
+/// Which way the faces of a surface look in the end.
+enum class Facing {
+  OUTWARD,  ///< where it encloses a volume, but for holes with small lids; otherwise as most of it
+  AS_MOST,  ///< of its area was given
+};
+
+/// Welds vertices at the same place, drops degenerate and repeated faces, orients faces alike,
+/// keeps the main surface. Edges with more than two faces stay: geodesics run across them;
+/// cutNonManifold() separates them where a stage needs it.
 /// \throws InputError  no face is left, or none with an area; std::invalid_argument  as
 /// requireMesh().
-CleanMesh cleanMesh(const TriangleMesh& input);
+CleanMesh cleanMesh(const TriangleMesh& input, Facing facing = Facing::OUTWARD);
+
+/// Whether most faces of the main surface look the other way than they were given.
+bool isTurnedOver(const CleanMesh& clean);
+
+/// Turns the main surface the other way round, and pieces that do not tell their outside.
+void turnOver(CleanMesh& clean);
 
 /// How many different places corners of faces are in, of the first `vertices` vertices.
 int cornerPlaces(const TriangleMesh& mesh, int vertices);

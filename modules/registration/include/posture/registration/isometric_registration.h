@@ -27,7 +27,8 @@ namespace posture {
 /// who have surfaces give them by setSourceMesh() and setTargetMesh(): they are used as they are,
 /// while through points alone a surface is laid first. With indices only the points they name take
 /// part, in their order, and of a mesh the triangles between them. Left and right are told apart by
-/// the outside of the surfaces: of an open mesh that is inside out the mirror image is found.
+/// the outside of the surfaces: of a mesh that is inside out and more open than cleanMesh() can
+/// tell the mirror image is found.
 ///
 /// After align(output):
 ///  - output[i] is the i-th source point used, deformed onto the target, in the target's unit; its

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clean_side.h"
+#include "clean_sides.h"
 
 #include <posture/core/error.h>
 #include <posture/mesh/denoise.h>
 
 namespace posture {
+namespace {
 
 CleanMesh cleanSide(const std::string& side, SideSurface& surface) {
   try {
@@ -14,6 +15,20 @@ CleanMesh cleanSide(const std::string& side, SideSurface& surface) {
   } catch (const InputError& error) {
     throw InputError(side + " " + error.what());
   }
+}
+
+void goBy(const CleanMesh& other, CleanMesh& clean) {
+  if (!clean.outward_known && other.outward_known && isTurnedOver(other)) turnOver(clean);
+}
+
+}  // namespace
+
+CleanSides cleanSides(SideSurface& source, SideSurface& target) {
+  CleanSides clean{cleanSide("source", source), cleanSide("target", target)};
+  if (source.scan || target.scan) return clean;
+  goBy(clean.target, clean.source);
+  goBy(clean.source, clean.target);
+  return clean;
 }
 
 std::vector<StagePicture> cleaningPictures(const CleanMesh& source, const CleanMesh& target) {
