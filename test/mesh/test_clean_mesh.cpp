@@ -89,6 +89,38 @@ TEST(CleanMesh, refusesFacesInALineFarFromTheOrigin) {
   EXPECT_THROW(cleanMesh(line), InputError);
 }
 
+TEST(CleanMesh, joinsCornersThatRoundingTookApart) {
+  // Each face with corners of its own, in single precision, each moved by some other way there.
+  const TriangleMesh ball = test::sphere(3);
+  const auto m = ball.faces.rows();
+  TriangleMesh soup{Points(3 * m, 3), Faces(m, 3)};
+  for (Eigen::Index f = 0; f < m; ++f)
+    for (int k = 0; k < 3; ++k) {
+      const auto shift = static_cast<float>(10 + f % 5);
+      const Eigen::RowVector3f there =
+          (ball.vertices.row(ball.faces(f, k)).cast<float>().array() + shift).matrix();
+      soup.vertices.row(3 * f + k) = (there.array() - shift).matrix().cast<double>();
+      soup.faces(f, k) = static_cast<int>(3 * f + k);
+    }
+  const CleanMesh clean = cleanMesh(soup);
+  EXPECT_EQ(clean.mesh.vertices.rows(), ball.vertices.rows());
+  EXPECT_EQ(clean.mesh.faces.rows(), m);
+  EXPECT_EQ(clean.summary.components, 1);
+  EXPECT_NEAR(volume(clean.mesh), volume(ball), 1e-4);
+  for (int v = 0; v < soup.vertices.rows(); ++v) {
+    EXPECT_EQ(clean.offset[v], 0);
+    EXPECT_LT((soup.vertices.row(v) - clean.mesh.vertices.row(clean.clean_vertex[v])).norm(), 1e-5);
+  }
+}
+
+TEST(CleanMesh, keepsRimsThatAreNearEachOtherApart) {
+  // Two sheets a twentieth of an edge apart.
+  TriangleMesh sheet = test::grid(6, 6, 6, 6);
+  const CleanMesh clean = cleanMesh(together(sheet, sheet, {0, 0, 0.05}));
+  EXPECT_EQ(clean.summary.components, 2);
+  EXPECT_EQ(clean.summary.welded_vertices, 0);
+}
+
 TEST(CleanMesh, loosePartsFollowTheSurfaceTheyAreNearestTo) {
   TriangleMesh eye = test::sphere(0);
   eye.vertices *= 0.1;

@@ -110,7 +110,7 @@ CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
   requireMesh(input);
   CleanMesh clean;
   CleaningSummary& summary = clean.summary;
-  const std::vector<int> representative = weld(input.vertices);
+  const std::vector<int> representative = weld(input);
   for (int v = 0; v < n; ++v) summary.welded_vertices += representative[v] != v;
 
   const UsableFaces usable = usableFaces(input.faces, representative, summary);
@@ -177,7 +177,7 @@ void turnOver(CleanMesh& clean) {
 }
 
 int cornerPlaces(const TriangleMesh& mesh, int vertices) {
-  const std::vector<int> first = weld(mesh.vertices.topRows(vertices));
+  const std::vector<int> first = weld(mesh);
   std::vector<char> is_corner(vertices, 0);
   for (int v : mesh.faces.reshaped())
     if (v < vertices) is_corner[first[v]] = 1;

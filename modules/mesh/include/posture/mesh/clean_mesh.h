@@ -12,7 +12,7 @@ namespace posture {
 /// What cleaning found.
 struct CleaningSummary {
   int unreferenced_vertices = 0;  ///< in no face
-  int welded_vertices = 0;        ///< at the very place of an earlier one
+  int welded_vertices = 0;        ///< at the place of an earlier one, but for rounding
   int degenerate_faces = 0;       ///< a corner twice, after welding
   int repeated_faces = 0;         ///< the corners of an earlier face
   int flipped_faces = 0;          ///< turned round to agree with their neighbours
@@ -49,8 +49,9 @@ enum class Facing {
   AS_MOST,  ///< of its area was given
 };
 
-/// Welds vertices at the same place, drops degenerate and repeated faces, orients faces alike,
-/// keeps the main surface. Edges with more than two faces stay: geodesics run across them;
+/// Welds vertices at the same place (at rims within a hundredth of the shortest edge there: files
+/// that list the corners of each face may round them in several ways), drops degenerate and
+/// repeated faces, orients faces alike, keeps the main surface. Edges with more than two faces stay: geodesics run across them;
 /// cutNonManifold() separates them where a stage needs it.
 /// \throws InputError  no face is left, or none with an area; std::invalid_argument  as
 /// requireMesh().
