@@ -78,7 +78,7 @@ void keepPieces(const TriangleMesh& welded,
   }
   clean.pieces = {welded.vertices(clean.piece_vertex, Eigen::all), toFaces(faces)};
   if (isTurnedOver(clean)) clean.pieces.faces.col(1).swap(clean.pieces.faces.col(2));
-  orientFaces(clean.pieces, facing);
+  orientPieces(clean.pieces, facing);
 }
 
 /// What rounding leaves between corners in a line, as read or far from the origin.
@@ -170,7 +170,7 @@ bool isTurnedOver(const CleanMesh& clean) {
 void turnOver(CleanMesh& clean) {
   for (TriangleMesh* mesh : {&clean.mesh, &clean.pieces})
     mesh->faces.col(1).swap(mesh->faces.col(2));
-  orientFaces(clean.pieces, Facing::OUTWARD);
+  orientPieces(clean.pieces, Facing::OUTWARD);
   for (signed char& sense : clean.face_sense) sense = static_cast<signed char>(-sense);
   clean.summary.flipped_faces =
       static_cast<int>(clean.mesh.faces.rows()) - clean.summary.flipped_faces;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -14,9 +15,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A patch encloses a volume where the lids of its holes come to no more than this of its area:
-/// those of three quarters of a sphere. Of bodies with holes all over they come to less than 0.15,
-/// of what a scanner sees from one side to more than all of it.
+/// The largest patch encloses a volume where the lids of its holes come to no more than this of its
+/// area: those of three quarters of a sphere. Of bodies with holes all over they come to less than
+/// 0.15, of what a scanner sees from one side to more than all of it.
 constexpr double MOST_LIDS = 0.25;
 
 bool hasDirectedEdge(const Faces& faces, int face, int from, int to) {
@@ -36,21 +37,22 @@ class Orienter {
         visited_(mesh.faces.rows(), 0) {}
 
   Orientation run() {
-    double known = 0;
-    for (int seed = 0; seed < given_.rows(); ++seed) {
-      if (visited_[seed]) continue;
-      const Patch patch = grow(seed);
-      const Enclosed enclosed = volumeOf(patch);
-      const bool is_known = enclosed.lids <= MOST_LIDS * patch.area;
-      if (is_known) known += patch.area;
-      if (is_known && facing_ == Facing::OUTWARD ? enclosed.volume < 0 : patch.agreeing < 0)
-        for (int f : patch.faces) flip(f);
+    const std::vector<Patch> patches = grown();
+    Orientation orientation;
+    bool inside_out = false;
+    if (const Patch* main = largest(patches)) {
+      const Enclosed enclosed = volumeOf(*main);
+      orientation.outward_known = enclosed.lids <= MOST_LIDS * main->area;
+      inside_out = orientation.outward_known && facing_ == Facing::OUTWARD &&
+                   (enclosed.volume < 0) != (main->agreeing < 0);
     }
-    Orientation orientation{std::vector<char>(given_.rows()), known > areas_.sum() / 2};
+    turn(patches, inside_out);
     for (int f = 0; f < given_.rows(); ++f)
-      orientation.turned[f] = mesh_.faces.row(f) != given_.row(f);
+      orientation.turned.push_back(mesh_.faces.row(f) != given_.row(f));
     return orientation;
   }
+
+  void runOnPieces() { turn(grown(), false); }
 
  private:
   struct Patch {
@@ -62,6 +64,28 @@ class Orienter {
   struct Enclosed {
     double volume = 0, lids = 0;
   };
+
+  std::vector<Patch> grown() {
+    std::vector<Patch> patches;
+    for (int seed = 0; seed < given_.rows(); ++seed)
+      if (!visited_[seed]) patches.push_back(grow(seed));
+    return patches;
+  }
+
+  static const Patch* largest(const std::vector<Patch>& patches) {
+    const auto less = [](const Patch& a, const Patch& b) { return a.area < b.area; };
+    const auto found = std::max_element(patches.begin(), patches.end(), less);
+    return found == patches.end() ? nullptr : &*found;
+  }
+
+  /// Closed ones outwards, others the way most of them was given or, inside out, the other way.
+  void turn(const std::vector<Patch>& patches, bool inside_out) {
+    for (const Patch& patch : patches) {
+      const bool by_volume = patch.rim.empty() && facing_ == Facing::OUTWARD;
+      if (by_volume ? volumeOf(patch).volume < 0 : (patch.agreeing < 0) != inside_out)
+        for (int f : patch.faces) flip(f);
+    }
+  }
 
   /// Turns all that can be reached from a face the way that face is.
   Patch grow(int seed) {
@@ -142,5 +166,7 @@ class Orienter {
 }  // namespace
 
 Orientation orientFaces(TriangleMesh& mesh, Facing facing) { return Orienter(mesh, facing).run(); }
+
+void orientPieces(TriangleMesh& pieces, Facing facing) { Orienter(pieces, facing).runOnPieces(); }
 
 }  // namespace posture

@@ -11,10 +11,14 @@ namespace posture {
 
 struct Orientation {
   std::vector<char> turned;    ///< m, the faces turned round
-  bool outward_known = false;  ///< for most of the area
+  bool outward_known = false;  ///< of the largest patch
 };
 
-/// Turns the faces of each patch, what is joined across edges of two faces, alike.
+/// Turns the faces of each patch, what is joined across edges of two faces, alike. Where the
+/// largest one is inside out, so are others that are open.
 Orientation orientFaces(TriangleMesh& mesh, Facing facing);
+
+/// The same of patches that have nothing to do with each other: closed ones tell, others do not.
+void orientPieces(TriangleMesh& pieces, Facing facing);
 
 }  // namespace posture

@@ -33,7 +33,7 @@ struct CleanMesh {
   Vector offset;
   /// Input face -> 1: on the main surface, as it was given; -1: on it, turned round; 0: not on it.
   std::vector<signed char> face_sense;
-  /// Whether the main surface, or most of it, encloses a volume but for its holes, so that its own
+  /// Whether the main surface, its largest patch, encloses a volume but for its holes, so that its own
   /// shape tells the outside.
   bool outward_known = false;
   /// The other connected parts, those of less than a hundredth of its area left out; oriented each
