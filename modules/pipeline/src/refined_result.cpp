@@ -12,8 +12,6 @@
 namespace posture {
 namespace {
 
-constexpr int FULL_ROUNDS = 20;
-
 /// For places on a side's meshes those on the mesh as it was given.
 class GivenFaces {
  public:
@@ -78,38 +76,6 @@ class GivenFaces {
 };
 
 }  // namespace
-
-FullMap toFullResolution(const RefinedShape& given_source,
-                         const RefinedShape& target,
-                         const RefinedMap& refined) {
-  const RefinedShape source = rescaled(given_source, refined.scale);
-  const BendableSurface a(source.full), b(target.full);
-  const double softness = settlingSoftness(source.basis.eigenvalues, target.basis.eigenvalues);
-  FullMap map;
-  map.pair = carryUp(source.full,
-                     source.work,
-                     BendableSurface(source.work.mesh),
-                     target.full,
-                     target.work,
-                     BendableSurface(target.work.mesh),
-                     refined.pair);
-  polish(a, b, softness, FULL_ROUNDS, map.pair);
-  map.places = placesOnFaces(a, b, softness, map.pair);
-  map.laid = refined.laid;
-  map.without_partner = withoutPartner(a, b, map.pair, map.laid);
-  return map;
-}
-
-FullMap reversed(const RefinedShape& source, const RefinedShape& target, const FullMap& map) {
-  const BendableSurface a(target.full), b(source.full);
-  const double softness = settlingSoftness(source.basis.eigenvalues, target.basis.eigenvalues);
-  FullMap back;
-  back.pair = reversed(map.pair);
-  back.places = placesOnFaces(a, b, softness, back.pair);
-  back.laid = map.laid;
-  back.without_partner = withoutPartner(a, b, back.pair, back.laid);
-  return back;
-}
 
 Vector roundTripConfidence(const TriangleMesh& source, const VertexMaps& maps) {
   const double edge = meanEdgeLength(source);

@@ -2,27 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "full_resolution.h"
 #include "given_shape.h"
 #include "refined_maps.h"
 #include "refined_shape.h"
 
 namespace posture {
-
-/// A map between the full meshes of both shapes.
-struct FullMap {
-  BentPair pair;
-  std::vector<FacePoint> places;      ///< of the source's vertices on the target
-  std::vector<char> without_partner;  ///< the target has no such place
-  bool laid = false;                  ///< found by laying the surfaces over each other
-};
-
-/// Takes a map from the work meshes to all vertices of both shapes.
-FullMap toFullResolution(const RefinedShape& source,
-                         const RefinedShape& target,
-                         const RefinedMap& map);
-
-/// The same map from the target to the source. \param source  scaled to the target.
-FullMap reversed(const RefinedShape& source, const RefinedShape& target, const FullMap& map);
 
 /// n, in (0, 1]: whether the way there and back ends where it began.
 Vector roundTripConfidence(const TriangleMesh& source, const VertexMaps& maps);
