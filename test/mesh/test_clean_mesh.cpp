@@ -89,38 +89,6 @@ TEST(CleanMesh, refusesFacesInALineFarFromTheOrigin) {
   EXPECT_THROW(cleanMesh(line), InputError);
 }
 
-TEST(CleanMesh, joinsCornersThatRoundingTookApart) {
-  // Each face with corners of its own, in single precision, each moved by some other way there.
-  const TriangleMesh ball = test::sphere(3);
-  const auto m = ball.faces.rows();
-  TriangleMesh soup{Points(3 * m, 3), Faces(m, 3)};
-  for (Eigen::Index f = 0; f < m; ++f)
-    for (int k = 0; k < 3; ++k) {
-      const auto shift = static_cast<float>(10 + f % 5);
-      const Eigen::RowVector3f there =
-          (ball.vertices.row(ball.faces(f, k)).cast<float>().array() + shift).matrix();
-      soup.vertices.row(3 * f + k) = (there.array() - shift).matrix().cast<double>();
-      soup.faces(f, k) = static_cast<int>(3 * f + k);
-    }
-  const CleanMesh clean = cleanMesh(soup);
-  EXPECT_EQ(clean.mesh.vertices.rows(), ball.vertices.rows());
-  EXPECT_EQ(clean.mesh.faces.rows(), m);
-  EXPECT_EQ(clean.summary.components, 1);
-  EXPECT_NEAR(volume(clean.mesh), volume(ball), 1e-4);
-  for (int v = 0; v < soup.vertices.rows(); ++v) {
-    EXPECT_EQ(clean.offset[v], 0);
-    EXPECT_LT((soup.vertices.row(v) - clean.mesh.vertices.row(clean.clean_vertex[v])).norm(), 1e-5);
-  }
-}
-
-TEST(CleanMesh, keepsRimsThatAreNearEachOtherApart) {
-  // Two sheets a twentieth of an edge apart.
-  TriangleMesh sheet = test::grid(6, 6, 6, 6);
-  const CleanMesh clean = cleanMesh(together(sheet, sheet, {0, 0, 0.05}));
-  EXPECT_EQ(clean.summary.components, 2);
-  EXPECT_EQ(clean.summary.welded_vertices, 0);
-}
-
 TEST(CleanMesh, loosePartsFollowTheSurfaceTheyAreNearestTo) {
   TriangleMesh eye = test::sphere(0);
   eye.vertices *= 0.1;
@@ -219,11 +187,39 @@ TEST(CleanMesh, turnsASurfaceOutwardsThatIsClosedButForSmallHoles) {
   ball.faces.col(0).swap(ball.faces.col(1));
   const CleanMesh clean = cleanMesh(ball);
   EXPECT_TRUE(clean.outward_known);
-  EXPECT_TRUE(isTurnedOver(clean));
+  EXPECT_TRUE(clean.inside_out);
   EXPECT_GT(volume(clean.mesh), 1);
   EXPECT_EQ(clean.summary.flipped_faces, ball.faces.rows());
   for (signed char sense : clean.face_sense) EXPECT_EQ(sense, -1);
+  Faces right = ball.faces;
+  right.col(1).swap(right.col(2));
+  EXPECT_EQ(facedAlike(ball.faces, clean), right);
   EXPECT_LT(volume(cleanMesh(ball, Facing::AS_MOST).mesh), -1);
+}
+
+TEST(CleanMesh, takesNothingForInsideOutWhereFacesWereGivenEveryWhichWay) {
+  TriangleMesh ball = below(test::sphere(4), {0.8, 0.9});
+  for (int f = 0; f < ball.faces.rows(); ++f)
+    if (f % 5 > 1) std::swap(ball.faces(f, 1), ball.faces(f, 2));
+  const CleanMesh clean = cleanMesh(ball);
+  EXPECT_TRUE(clean.outward_known);
+  EXPECT_FALSE(clean.inside_out);
+  EXPECT_GT(volume(clean.mesh), 1);
+}
+
+TEST(CleanMesh, doesNotTellTheOutsideOfTwoLayers) {
+  // A flat bag, open along one side: its volume means nothing.
+  const TriangleMesh sheet = test::grid(8, 8, 1, 1);
+  TriangleMesh back = sheet;
+  back.faces.col(0).swap(back.faces.col(1));
+  TriangleMesh bag = together(sheet, back, {0, 0, -1e-3});
+  const auto n = sheet.vertices.rows();
+  for (Eigen::Index v = 0; v < n; ++v)
+    if (sheet.vertices(v, 0) > 0) bag.vertices(n + v, 2) = 0;
+  bag.faces.col(0).swap(bag.faces.col(1));
+  const CleanMesh clean = cleanMesh(bag);
+  EXPECT_FALSE(clean.outward_known);
+  EXPECT_EQ(clean.summary.flipped_faces, 0);
 }
 
 TEST(CleanMesh, leavesAShellTheWayItFaces) {
@@ -232,7 +228,7 @@ TEST(CleanMesh, leavesAShellTheWayItFaces) {
   shell.faces.col(0).swap(shell.faces.col(1));
   const CleanMesh clean = cleanMesh(shell);
   EXPECT_FALSE(clean.outward_known);
-  EXPECT_FALSE(isTurnedOver(clean));
+  EXPECT_FALSE(clean.inside_out);
   EXPECT_EQ(clean.mesh.faces.rows(), shell.faces.rows());
   EXPECT_LT(volume(clean.mesh), 0);
 }
@@ -251,7 +247,7 @@ TEST(CleanMesh, turnsPiecesThatDoNotTellTheWayTheMainSurfaceWasTurned) {
   CleanMesh turned = right;
   turnOver(turned);
   EXPECT_NEAR(volume(turned.mesh), -volume(right.mesh), 1e-12);
-  EXPECT_TRUE(isTurnedOver(turned));
+  EXPECT_TRUE(turned.inside_out);
   // The shell looks the other way, the ball beside it does not.
   const Points outward = vertexNormals(right.pieces), after = vertexNormals(turned.pieces);
   int changed = 0;

@@ -42,6 +42,7 @@ class FullResolution : public testing::TestWithParam<int> {};
 
 TEST_P(FullResolution, isReachedFromFewVertices) {
   const RefinedShape a = person(0, GetParam()), b = person(1, GetParam());
+  ASSERT_EQ(levelsBetween(a), GetParam() < 200 ? 1 : 0);
   const FullMap map = toFullResolution(a, b, trueMap(a, b));
   ASSERT_EQ(map.places.size(), static_cast<std::size_t>(a.full.vertices.rows()));
   EXPECT_LT(meanMissInEdges(b.full, map.pair.maps.forward), 0.5);

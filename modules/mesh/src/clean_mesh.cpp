@@ -13,6 +13,7 @@
 #include <array>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace posture {
 namespace {
@@ -57,10 +58,7 @@ Faces toFaces(const std::vector<Eigen::Vector3i>& triangles) {
 constexpr double LEAST_PIECE = 0.01;
 
 /// Puts the parts other than the main one that are no crumbs into `clean.pieces`.
-void keepPieces(const TriangleMesh& welded,
-                const ConnectedParts& parts,
-                Facing facing,
-                CleanMesh& clean) {
+void keepPieces(const TriangleMesh& welded, const ConnectedParts& parts, CleanMesh& clean) {
   std::vector<Eigen::Vector3i> faces;
   std::vector<int> number(welded.vertices.rows(), -1);
   for (int f = 0; f < welded.faces.rows(); ++f) {
@@ -77,8 +75,8 @@ void keepPieces(const TriangleMesh& welded,
     }
   }
   clean.pieces = {welded.vertices(clean.piece_vertex, Eigen::all), toFaces(faces)};
-  if (isTurnedOver(clean)) clean.pieces.faces.col(1).swap(clean.pieces.faces.col(2));
-  orientPieces(clean.pieces, facing);
+  if (clean.inside_out) clean.pieces.faces.col(1).swap(clean.pieces.faces.col(2));
+  orientPieces(clean.pieces);
 }
 
 /// What rounding leaves between corners in a line, as read or far from the origin.
@@ -110,7 +108,7 @@ CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
   requireMesh(input);
   CleanMesh clean;
   CleaningSummary& summary = clean.summary;
-  const std::vector<int> representative = weld(input);
+  const std::vector<int> representative = weld(input.vertices);
   for (int v = 0; v < n; ++v) summary.welded_vertices += representative[v] != v;
 
   const UsableFaces usable = usableFaces(input.faces, representative, summary);
@@ -152,6 +150,7 @@ CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
     throw InputError("has only faces without area");
   const Orientation orientation = orientFaces(clean.mesh, facing);
   clean.outward_known = orientation.outward_known;
+  clean.inside_out = orientation.inside_out;
   clean.face_sense.assign(input.faces.rows(), 0);
   for (std::size_t f = 0; f < input_face.size(); ++f) {
     clean.face_sense[input_face[f]] = orientation.turned[f] != 0 ? -1 : 1;
@@ -159,25 +158,31 @@ CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
   }
   for (const Edge& e : meshEdges(clean.mesh.faces)) summary.non_manifold_edges += e.faces > 2;
   attachLooseVertices(input.vertices, clean);
-  keepPieces(welded, parts, facing, clean);
+  keepPieces(welded, parts, clean);
   return clean;
-}
-
-bool isTurnedOver(const CleanMesh& clean) {
-  return 2 * clean.summary.flipped_faces > clean.mesh.faces.rows();
 }
 
 void turnOver(CleanMesh& clean) {
   for (TriangleMesh* mesh : {&clean.mesh, &clean.pieces})
     mesh->faces.col(1).swap(mesh->faces.col(2));
-  orientPieces(clean.pieces, Facing::OUTWARD);
+  orientPieces(clean.pieces);
+  clean.inside_out = !clean.inside_out;
   for (signed char& sense : clean.face_sense) sense = static_cast<signed char>(-sense);
   clean.summary.flipped_faces =
       static_cast<int>(clean.mesh.faces.rows()) - clean.summary.flipped_faces;
 }
 
+Faces facedAlike(const Faces& input, const CleanMesh& clean) {
+  Faces faces = input;
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    const int sense = clean.face_sense[f];
+    if (sense < 0 || (sense == 0 && clean.inside_out)) std::swap(faces(f, 1), faces(f, 2));
+  }
+  return faces;
+}
+
 int cornerPlaces(const TriangleMesh& mesh, int vertices) {
-  const std::vector<int> first = weld(mesh);
+  const std::vector<int> first = weld(mesh.vertices.topRows(vertices));
   std::vector<char> is_corner(vertices, 0);
   for (int v : mesh.faces.reshaped())
     if (v < vertices) is_corner[first[v]] = 1;

@@ -138,7 +138,7 @@ class Smoother {
 
 int smoothNoise(TriangleMesh& mesh) {
   const int n = static_cast<int>(mesh.vertices.rows());
-  const std::vector<int> place = weld(mesh);
+  const std::vector<int> place = weld(mesh.vertices);
   const Faces faces = weldedFaces(mesh.faces, place);
   const Smoother smoother(faces, n);
   Points vertices = mesh.vertices;

@@ -39,7 +39,7 @@ bool isSpike(const Points& vertices, const VertexNeighbors& neighbors, int v) {
 
 int setSpikesBack(TriangleMesh& mesh) {
   const int n = static_cast<int>(mesh.vertices.rows());
-  const std::vector<int> place = weld(mesh);
+  const std::vector<int> place = weld(mesh.vertices);
   const VertexNeighbors neighbors(weldedFaces(mesh.faces, place), n);
   std::vector<int> spikes;
   std::vector<char> astray(n, 0);

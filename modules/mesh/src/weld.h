@@ -4,15 +4,38 @@
 
 #include <posture/core/types.h>
 
+#include <boost/container_hash/hash.hpp>
+
+#include <array>
+#include <unordered_map>
 #include <vector>
 
 namespace posture {
 
-/// Vertex -> the first vertex at the same place; at rims also the first one that is as near as
-/// rounding leaves what was one, as in files that list the corners of each face.
-std::vector<int> weld(const TriangleMesh& mesh);
+/// Vertex -> the first vertex at the same place.
+inline std::vector<int> weld(const Points& vertices) {
+  using Place = std::array<double, 3>;
+  std::unordered_map<Place, int, boost::hash<Place>> first_at;
+  first_at.reserve(vertices.rows());
+  std::vector<int> representative(vertices.rows());
+  for (int v = 0; v < vertices.rows(); ++v) {
+    // Adding zero turns -0 into +0.
+    const Place place{vertices(v, 0) + 0.0, vertices(v, 1) + 0.0, vertices(v, 2) + 0.0};
+    representative[v] = first_at.try_emplace(place, v).first->second;
+  }
+  return representative;
+}
 
 /// Faces between these first vertices, without those that have one twice.
-Faces weldedFaces(const Faces& faces, const std::vector<int>& first);
+inline Faces weldedFaces(const Faces& faces, const std::vector<int>& first) {
+  Faces welded(faces.rows(), 3);
+  Eigen::Index count = 0;
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    const int a = first[faces(f, 0)], b = first[faces(f, 1)], c = first[faces(f, 2)];
+    if (a != b && b != c && c != a) welded.row(count++) << a, b, c;
+  }
+  welded.conservativeResize(count, 3);
+  return welded;
+}
 
 }  // namespace posture

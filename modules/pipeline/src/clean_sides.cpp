@@ -18,7 +18,7 @@ CleanMesh cleanSide(const std::string& side, SideSurface& surface) {
 }
 
 void goBy(const CleanMesh& other, CleanMesh& clean) {
-  if (!clean.outward_known && other.outward_known && isTurnedOver(other)) turnOver(clean);
+  if (!clean.outward_known && other.outward_known && other.inside_out) turnOver(clean);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <posture/core/error.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace posture {
 
@@ -14,17 +13,15 @@ TriangleMesh withoutVertices(const TriangleMesh& input,
                              const std::vector<int>& vertices) {
   std::vector<char> gone(clean.mesh.vertices.rows(), 0);
   for (int v : vertices) gone[v] = 1;
-  TriangleMesh cut{input.vertices, Faces(input.faces.rows(), 3)};
+  const Faces faces = facedAlike(input.faces, clean);
+  TriangleMesh cut{input.vertices, Faces(faces.rows(), 3)};
   Eigen::Index kept = 0;
-  for (int f = 0; f < input.faces.rows(); ++f) {
-    const Eigen::RowVector3i face = input.faces.row(f);
+  for (int f = 0; f < faces.rows(); ++f) {
+    const Eigen::RowVector3i face = faces.row(f);
     const bool touches = std::any_of(face.data(), face.data() + 3, [&](int v) {
       return clean.offset[v] == 0 && gone[clean.clean_vertex[v]];
     });
-    if (touches) continue;
-    cut.faces.row(kept) = face;
-    if (clean.face_sense[f] < 0) std::swap(cut.faces(kept, 1), cut.faces(kept, 2));
-    ++kept;
+    if (!touches) cut.faces.row(kept++) = face;
   }
   cut.faces.conservativeResize(kept, 3);
   return cut;

@@ -9,8 +9,7 @@
 
 namespace posture {
 
-/// The input without faces that touch the clean vertices; those of the main surface look the way
-/// they do there.
+/// The input, its faces as facedAlike(), without those that touch the clean vertices.
 TriangleMesh withoutVertices(const TriangleMesh& input,
                              const CleanMesh& clean,
                              const std::vector<int>& vertices);

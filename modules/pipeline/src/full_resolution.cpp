@@ -19,13 +19,6 @@ constexpr int ROUNDS = 20, LAST_ROUNDS = 10;
 /// edges.
 constexpr double MOST_FINER = 12;
 
-/// Levels between the work mesh and the full one.
-int levelsBetween(const RefinedShape& shape) {
-  const double finer = static_cast<double>(shape.full.vertices.rows()) /
-                       static_cast<double>(shape.work.mesh.vertices.rows());
-  return std::max(0, static_cast<int>(std::ceil(std::log(finer) / std::log(MOST_FINER))) - 1);
-}
-
 /// The full mesh reduced less. \param way  from the work mesh, 0, to the full one, 1.
 ReducedMesh lessReduced(const RefinedShape& shape, double way) {
   const auto work = static_cast<double>(shape.work.mesh.vertices.rows());
@@ -42,6 +35,12 @@ ReducedMesh within(const ReducedMesh& higher, const ReducedMesh& lower) {
 }
 
 }  // namespace
+
+int levelsBetween(const RefinedShape& shape) {
+  const double finer = static_cast<double>(shape.full.vertices.rows()) /
+                       static_cast<double>(shape.work.mesh.vertices.rows());
+  return std::max(0, static_cast<int>(std::ceil(std::log(finer) / std::log(MOST_FINER))) - 1);
+}
 
 FullMap toFullResolution(const RefinedShape& given_source,
                          const RefinedShape& target,

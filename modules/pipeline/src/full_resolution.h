@@ -16,6 +16,9 @@ struct FullMap {
   bool laid = false;                  ///< found by laying the surfaces over each other
 };
 
+/// How many meshes between a side's work mesh and its full one a map is taken by.
+int levelsBetween(const RefinedShape& shape);
+
 /// Takes a map from the work meshes to all vertices of both shapes; of large meshes by way of some
 /// that are reduced less.
 FullMap toFullResolution(const RefinedShape& source,

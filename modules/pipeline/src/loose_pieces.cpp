@@ -78,6 +78,11 @@ std::vector<std::vector<int>> loosePieces(const GivenShape& shape) {
   return pieces;
 }
 
+/// The way the main surface looks, however it was given.
+Points normalsOf(const GivenShape& shape) {
+  return vertexNormals({shape.input.vertices, facedAlike(shape.input.faces, shape.clean)});
+}
+
 template <class Keep>
 std::vector<int> verticesThat(const TriangleMesh& mesh, const Keep& keep) {
   std::vector<int> kept;
@@ -94,8 +99,8 @@ class Placing {
         result_(result),
         edge_(meanEdgeLength(target.clean.mesh)),
         size_(std::sqrt(faceAreas(target.clean.mesh).sum())),
-        source_normals_(vertexNormals(source.input)),
-        target_normals_(vertexNormals(target.input)),
+        source_normals_(normalsOf(source)),
+        target_normals_(normalsOf(target)),
         target_face_(
             vertexFaces(target.input.faces, static_cast<int>(target.input.vertices.rows()))),
         whole_(part(verticesThat(target.input, [&](int v) { return isOwn(v); }))),

@@ -9,7 +9,6 @@
 #include "pose.h"
 #include "verdict.h"
 #include "way_back.h"
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -101,18 +100,12 @@ void trim(const WithoutPatches& rows,
   places.trimPlaces(correspondence);
 }
 
-/// Whether the faces of a surface look the other way after patches were added.
+/// Whether most faces of a surface look the other way after others were added behind them.
 bool isTurnedRound(const CleanMesh& before, const CleanMesh& after) {
-  std::array<int, 3> face{};
-  for (int c = 0; c < 3; ++c)
-    face[c] = after.clean_vertex[before.input_vertex[before.mesh.faces(0, c)]];
-  for (const auto& f : after.mesh.faces.rowwise())
-    for (int c = 0; c < 3; ++c)
-      if (f[c] == face[0]) {
-        if (f[(c + 1) % 3] == face[1] && f[(c + 2) % 3] == face[2]) return false;
-        if (f[(c + 1) % 3] == face[2] && f[(c + 2) % 3] == face[1]) return true;
-      }
-  return false;
+  int alike = 0;
+  for (std::size_t f = 0; f < before.face_sense.size(); ++f)
+    alike += before.face_sense[f] * after.face_sense[f];
+  return alike < 0;
 }
 
 /// Cleans a side after surface was put in.

@@ -167,6 +167,9 @@ std::string shapes(const RegistrationResult& result, const RunDescription& run) 
   }
   count("Vertices", a.vertices, b.vertices);
   count("Faces", a.faces, b.faces);
+  count("Vertices at seams, joined with others nearby",
+        a.denoising.seam_vertices,
+        b.denoising.seam_vertices);
   count("Vertices far from their neighbours, set back", a.denoising.spikes, b.denoising.spikes);
   count(
       "Rounds of smoothing noise away", a.denoising.smoothing_rounds, b.denoising.smoothing_rounds);

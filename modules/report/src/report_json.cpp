@@ -18,7 +18,9 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 Json share(double part, double whole) { return number(part / whole); }
 
 Json describe(const Denoising& denoising) {
-  return {{"spikes", denoising.spikes}, {"smoothing_rounds", denoising.smoothing_rounds}};
+  return {{"seam_vertices", denoising.seam_vertices},
+          {"spikes", denoising.spikes},
+          {"smoothing_rounds", denoising.smoothing_rounds}};
 }
 
 Json describe(const CleaningSummary& cleaning) {

@@ -12,10 +12,10 @@ namespace posture {
 /// What cleaning found.
 struct CleaningSummary {
   int unreferenced_vertices = 0;  ///< in no face
-  int welded_vertices = 0;        ///< at the place of an earlier one, but for rounding
+  int welded_vertices = 0;        ///< at the very place of an earlier one
   int degenerate_faces = 0;       ///< a corner twice, after welding
   int repeated_faces = 0;         ///< the corners of an earlier face
-  int flipped_faces = 0;          ///< turned round to agree with their neighbours
+  int flipped_faces = 0;          ///< turned round, to agree with neighbours or outwards
   int non_manifold_edges = 0;     ///< with more than two faces
   int components = 0;             ///< connected parts of the surface
   int loose_vertices = 0;         ///< on parts other than the main surface
@@ -33,9 +33,11 @@ struct CleanMesh {
   Vector offset;
   /// Input face -> 1: on the main surface, as it was given; -1: on it, turned round; 0: not on it.
   std::vector<signed char> face_sense;
-  /// Whether the main surface, its largest patch, encloses a volume but for its holes, so that its own
-  /// shape tells the outside.
+  /// Whether the main surface, its largest patch, encloses a volume but for its holes, so that its
+  /// own shape tells the outside.
   bool outward_known = false;
+  /// Whether it looked the other way in nearly all its faces as it was given.
+  bool inside_out = false;
   /// The other connected parts, those of less than a hundredth of its area left out; oriented each
   /// by itself, the way the main surface was turned where they do not tell.
   TriangleMesh pieces;
@@ -49,19 +51,19 @@ enum class Facing {
   AS_MOST,  ///< of its area was given
 };
 
-/// Welds vertices at the same place (at rims within a hundredth of the shortest edge there: files
-/// that list the corners of each face may round them in several ways), drops degenerate and
-/// repeated faces, orients faces alike, keeps the main surface. Edges with more than two faces stay: geodesics run across them;
+/// Welds vertices at the same place, drops degenerate and repeated faces, orients faces alike,
+/// keeps the main surface. Edges with more than two faces stay: geodesics run across them;
 /// cutNonManifold() separates them where a stage needs it.
 /// \throws InputError  no face is left, or none with an area; std::invalid_argument  as
 /// requireMesh().
 CleanMesh cleanMesh(const TriangleMesh& input, Facing facing = Facing::OUTWARD);
 
-/// Whether most faces of the main surface look the other way than they were given.
-bool isTurnedOver(const CleanMesh& clean);
-
 /// Turns the main surface the other way round, and pieces that do not tell their outside.
 void turnOver(CleanMesh& clean);
+
+/// The input's faces, those of the main surface looking the way they do there, others turned where
+/// it was inside out.
+Faces facedAlike(const Faces& input, const CleanMesh& clean);
 
 /// How many different places corners of faces are in, of the first `vertices` vertices.
 int cornerPlaces(const TriangleMesh& mesh, int vertices);

@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "weld.h"
-
 #include <posture/core/median.h>
 #include <posture/mesh/edges.h>
+#include <posture/mesh/seams.h>
 
 #include <boost/container_hash/hash.hpp>
 
+#include "weld.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -20,38 +22,41 @@ namespace {
 /// precision leaves of meshes of a million vertices, far less than there is between vertices.
 constexpr double ROUNDING = 0.01;
 
-std::vector<int> firstAtPlace(const Points& vertices) {
-  using Place = std::array<double, 3>;
-  std::unordered_map<Place, int, boost::hash<Place>> first_at;
-  first_at.reserve(vertices.rows());
-  std::vector<int> first(vertices.rows());
-  for (int v = 0; v < vertices.rows(); ++v) {
-    // Adding zero turns -0 into +0.
-    const Place place{vertices(v, 0) + 0.0, vertices(v, 1) + 0.0, vertices(v, 2) + 0.0};
-    first[v] = first_at.try_emplace(place, v).first->second;
+/// Without those between the same corners as an earlier one.
+Faces different(const Faces& faces) {
+  std::set<std::array<int, 3>> seen;
+  Faces kept(faces.rows(), 3);
+  Eigen::Index count = 0;
+  for (const auto& face : faces.rowwise()) {
+    std::array<int, 3> corners{face[0], face[1], face[2]};
+    std::sort(corners.begin(), corners.end());
+    if (seen.insert(corners).second) kept.row(count++) = face;
   }
-  return first;
+  kept.conservativeResize(count, 3);
+  return kept;
 }
 
-/// The first of the points given to it that is nearer than what each of the two asks.
+/// The first of the points it was given before that is nearer than what each of the two asks.
 class FirstNear {
  public:
   /// \param most  of `asked`, what each point asks.
   FirstNear(const Points& points, const std::vector<double>& asked, double most)
       : points_(points), asked_(asked), most_(most) {}
 
+  /// The point itself where there is none.
   int find(int point) {
     const Cell cell = cellOf(point);
+    int first = point;
     for (int i = -1; i <= 1; ++i)
       for (int j = -1; j <= 1; ++j)
         for (int k = -1; k <= 1; ++k) {
           const auto found = firsts_.find({cell[0] + i, cell[1] + j, cell[2] + k});
           if (found == firsts_.end()) continue;
-          for (int first : found->second)
-            if (areNear(first, point)) return first;
+          for (int other : found->second)
+            if (other < first && areNear(other, point)) first = other;
         }
-    firsts_[cell].push_back(point);
-    return point;
+    if (first == point) firsts_[cell].push_back(point);
+    return first;
   }
 
  private:
@@ -64,7 +69,7 @@ class FirstNear {
 
   Cell cellOf(int point) const {
     Cell cell{};
-    for (int k = 0; k < 3; ++k) cell[k] = std::round(points_(point, k) / most_) + 0.0;
+    for (int k = 0; k < 3; ++k) cell[k] = std::floor(points_(point, k) / most_) + 0.0;
     return cell;
   }
 
@@ -76,11 +81,10 @@ class FirstNear {
 
 }  // namespace
 
-std::vector<int> weld(const TriangleMesh& mesh) {
+int closeSeams(TriangleMesh& mesh) {
   const Points& vertices = mesh.vertices;
-  std::vector<int> first = firstAtPlace(vertices);
-  const Faces faces = weldedFaces(mesh.faces, first);
-  const std::vector<Edge> edges = meshEdges(faces);
+  const std::vector<int> first = weld(vertices);
+  const std::vector<Edge> edges = meshEdges(different(weldedFaces(mesh.faces, first)));
   const auto length = [&](const Edge& e) {
     return (vertices.row(e.first) - vertices.row(e.second)).norm();
   };
@@ -91,27 +95,20 @@ std::vector<int> weld(const TriangleMesh& mesh) {
     at_rim[e.first] = at_rim[e.second] = 1;
     lengths.push_back(length(e));
   }
-  if (lengths.empty()) return first;
+  if (lengths.empty()) return 0;
   const double most = ROUNDING * median(std::move(lengths));
-  if (!(most > 0)) return first;
+  if (!(most > 0 && std::isfinite(most))) return 0;
   std::vector<double> asked(vertices.rows(), most);
   for (const Edge& e : edges)
     for (int v : {e.first, e.second}) asked[v] = std::min(asked[v], ROUNDING * length(e));
   FirstNear known(vertices, asked, most);
+  std::vector<int> place = first;
   for (int v = 0; v < vertices.rows(); ++v)
-    first[v] = first[v] != v ? first[first[v]] : at_rim[v] != 0 ? known.find(v) : v;
-  return first;
-}
-
-Faces weldedFaces(const Faces& faces, const std::vector<int>& first) {
-  Faces welded(faces.rows(), 3);
-  Eigen::Index count = 0;
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    const int a = first[faces(f, 0)], b = first[faces(f, 1)], c = first[faces(f, 2)];
-    if (a != b && b != c && c != a) welded.row(count++) << a, b, c;
-  }
-  welded.conservativeResize(count, 3);
-  return welded;
+    place[v] = first[v] != v ? place[first[v]] : at_rim[v] != 0 ? known.find(v) : v;
+  int moved = 0;
+  for (int v = 0; v < vertices.rows(); ++v) moved += place[v] != first[v];
+  if (moved > 0) mesh.vertices = vertices(place, Eigen::all).eval();
+  return moved;
 }
 
 }  // namespace posture
