@@ -214,10 +214,15 @@ TEST(CleanMesh, doesNotTellTheOutsideOfTwoLayers) {
   back.faces.col(0).swap(back.faces.col(1));
   TriangleMesh bag = together(sheet, back, {0, 0, -1e-3});
   const auto n = sheet.vertices.rows();
-  for (Eigen::Index v = 0; v < n; ++v)
-    if (sheet.vertices(v, 0) > 0) bag.vertices(n + v, 2) = 0;
+  const Eigen::RowVector3d far = sheet.vertices.colwise().maxCoeff();
+  for (Eigen::Index v = 0; v < n; ++v) {
+    const double x = sheet.vertices(v, 0), y = sheet.vertices(v, 1);
+    if (x == far.x() || y == 0 || y == far.y()) bag.vertices(n + v, 2) = 0;
+  }
   bag.faces.col(0).swap(bag.faces.col(1));
   const CleanMesh clean = cleanMesh(bag);
+  ASSERT_EQ(clean.mesh.faces.rows(), bag.faces.rows());
+  ASSERT_LT(volume(clean.mesh), 0);
   EXPECT_FALSE(clean.outward_known);
   EXPECT_EQ(clean.summary.flipped_faces, 0);
 }

@@ -6,6 +6,7 @@
 #include <posture/refine/partners.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -52,7 +53,7 @@ FullMap toFullResolution(const RefinedShape& given_source,
   const int between = std::max(levelsBetween(source), levelsBetween(target));
   for (int level = 1; level <= between; ++level) {
     const double way = level / (between + 1.0);
-    ReducedMesh here[2];
+    std::array<ReducedMesh, 2> here;
     parallelFor(2, [&](int side) { here[side] = lessReduced(side == 0 ? source : target, way); });
     pair = carryUp(here[0].mesh,
                    within(here[0], below_a),
