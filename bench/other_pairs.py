@@ -10,13 +10,9 @@ import csv
 import os
 import sys
 
+from benchmark_files import FAMILIES, read_truth
+
 EACH = 12
-
-
-def read_truth(path):
-    with open(path) as lines:
-        rows = (line.split() for line in lines if line.strip() and not line.startswith("#"))
-        return {int(row[0]): int(row[1]) for row in rows}
 
 
 def turned_round(truth):
@@ -34,7 +30,7 @@ def all_of(family, rows, benchmark):
         return {(a, b): None for a in meshes for b in meshes if a != b and (a, b) not in listed}
     known = {}
     for (a, b), truth in listed.items():
-        known[a, b] = read_truth(os.path.join(benchmark, truth))
+        known[a, b] = dict(read_truth(benchmark, truth, 0))
         known.setdefault((b, a), turned_round(known[a, b]))
     found = {pair: truth for pair, truth in known.items() if pair not in listed}
     for (a, b), first in sorted(known.items()):
@@ -51,7 +47,7 @@ def main(benchmark, out):
     with open(os.path.join(out, "other.csv"), "w", newline="") as listed:
         table = csv.DictWriter(listed, list(rows[0].keys()))
         table.writeheader()
-        for family in ("cat", "horse", "gorilla", "centaur", "michael", "victoria", "faust"):
+        for family in FAMILIES:
             found = sorted(all_of(family, rows, benchmark).items())
             count = min(EACH, len(found))
             for (source, target), truth in (found[k * len(found) // count] for k in range(count)):

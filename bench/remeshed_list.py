@@ -15,36 +15,7 @@ import heapq
 import os
 import sys
 
-FAMILIES = ("cat", "horse", "gorilla", "centaur", "michael", "victoria", "faust")
-
-
-def read_mesh(path):
-    with open(path) as lines:
-        if path.endswith(".obj"):
-            rows = [line.split() for line in lines]
-            return ([tuple(map(float, row[1:4])) for row in rows if row[:1] == ["v"]],
-                    [tuple(int(word.split("/")[0]) - 1 for word in row[1:4])
-                     for row in rows if row[:1] == ["f"]])
-        words = lines.read().split()
-    n, m = int(words[1]), int(words[2])
-    faces = words[4 + 3 * n:]
-    return ([tuple(map(float, words[4 + 3 * i:7 + 3 * i])) for i in range(n)],
-            [tuple(map(int, faces[4 * i + 1:4 * i + 4])) for i in range(m)])
-
-
-def write_mesh(path, vertices, faces):
-    with open(path, "w") as out:
-        out.write("OFF\n%d %d 0\n" % (len(vertices), len(faces)))
-        out.writelines("%.10g %.10g %.10g\n" % v for v in vertices)
-        out.writelines("3 %d %d %d\n" % f for f in faces)
-
-
-def minus(a, b):
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
-
-
-def dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+from benchmark_files import FAMILIES, dot, minus, read_mesh, read_truth, write_mesh
 
 
 def normal(vertices, face):
@@ -213,12 +184,7 @@ def main(benchmark, out):
                     made[source] = number
                 truth = os.path.abspath(os.path.join(out, "%s-%s.txt" % (row["id"], name)))
                 with open(truth, "w") as rows_of:
-                    if row["truth"] == "identity":
-                        pairs = [(v, v) for v in range(len(made[source]))]
-                    else:
-                        with open(os.path.join(benchmark, row["truth"])) as known:
-                            pairs = [tuple(map(int, line.split()[:2])) for line in known
-                                     if line.strip() and not line.startswith("#")]
+                    pairs = read_truth(benchmark, row["truth"], len(made[source]))
                     rows_of.writelines("%d %d\n" % (made[source][a], b)
                                        for a, b in pairs if made[source][a] >= 0)
                 table.writerow(dict(row, source=path, truth=truth, mirror_truth="",

@@ -51,8 +51,6 @@ void checkMap(const EvaluateOptions& options, const Shape& target, std::vector<S
 
 Json measure(const EvaluateOptions& options) {
   const Shape target = readShape(options.target);
-  if (target.faces.rows() > 0 && !options.surface.empty())
-    throw CLI::ValidationError("--surface", "is for a target of points; this one has faces");
   const std::vector<SurfacePoint> map = readCorrespondence(options.map).on_target;
   checkMap(options, target, map);
   const int n = static_cast<int>(map.size()), m = static_cast<int>(target.cloud.points.rows());
@@ -149,16 +147,17 @@ void addEvaluate(CLI::App& app, Common& common) {
   verb->add_option("--truth", options->truth, "File of `source target` rows, or: identity")
       ->required();
   verb->add_option("--target", options->target, "The target: mesh or points")->required();
-  CLI::Option* surface = verb->add_option(
-      "--surface",
-      options->surface,
-      "Clean mesh of a target of points, in its frame, to measure on (default: one is laid "
-      "through the points)");
+  CLI::Option* surface =
+      verb->add_option("--surface",
+                       options->surface,
+                       "Clean mesh that the target is a scan or a part of, in its frame, to "
+                       "measure on (default: the "
+                       "target's own faces; the surface laid through its points)");
   verb->add_option(
           "--surface-vertices",
           options->surface_vertices,
-          "File of `point vertex` rows: where the points lie on --surface (default: at the "
-          "nearest vertex)")
+          "File of `point vertex` rows: where the target's points lie on --surface (default: at "
+          "the nearest vertex)")
       ->needs(surface);
   verb->add_option("--mirror", options->mirror, "As --truth, for the left-right mirrored answer");
   verb->add_option("-o,--output", options->folder, "Folder for evaluation.json, curves and plots");

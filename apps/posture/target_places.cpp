@@ -14,7 +14,7 @@ TargetPlaces::TargetPlaces(const Shape& target,
                            const std::filesystem::path& vertices,
                            const std::optional<ScanSurface>& scan) {
   const Points& points = target.cloud.points;
-  itself_ = target.faces.rows() > 0;
+  itself_ = target.faces.rows() > 0 && surface.empty();
   if (itself_) {
     mesh_ = {points, target.faces};
     return;

@@ -15,9 +15,10 @@ namespace posture::app {
 /// The mesh on which errors are measured, and where the target's vertices (points) lie on it.
 class TargetPlaces {
  public:
-  /// A mesh is measured on itself, a cloud on `surface` (a clean mesh of the same body in the same
-  /// frame) where that is named, else on the surface laid through it.
-  /// \param vertices  file of `point vertex` rows; empty: each point goes to the nearest vertex.
+  /// Measured on `surface` (a clean mesh of the same body in the same frame) where that is named,
+  /// else a mesh on itself and a cloud on the surface laid through it.
+  /// \param vertices  file of rows `vertex (point) of the target, vertex of the surface`; empty: each
+  /// goes to the nearest one.
   /// \param scan  of the target where it is a cloud; laid through it here if there is none.
   /// \throws InputError  a file cannot be used.
   TargetPlaces(const Shape& target,
