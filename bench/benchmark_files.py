@@ -25,9 +25,9 @@ def write_mesh(path, vertices, faces):
         out.writelines("3 %d %d %d\n" % f for f in faces)
 
 
-def read_truth(benchmark, truth, count):
-    """Pairs of a vertex of the source, which has `count`, and one of the target; a source vertex
-    may have several."""
+def read_truth(benchmark, truth, count=None):
+    """Pairs of a vertex of the source and one of the target; a source vertex may have several.
+    `count`: of the source's vertices, for truths that are the identity."""
     if truth == "identity":
         return [(v, v) for v in range(count)]
     with open(os.path.join(benchmark, truth)) as lines:

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes a list of the benchmark's near-isometric pairs with parts cut out of them: of each pair one
-side or both lose all faces within two to four balls, 0.08 or 0.12 square roots of the area in
-radius, around vertices drawn by the pair's name and a seed. A target keeps its vertices, so that the truth
-stays as it is, and what is mapped though its true place is gone counts by how far off it is on the
-whole target.
+"""Writes a list of the benchmark's near-isometric pairs with parts cut out of them: of each pair
+one side or both lose all faces within two to four balls, 0.08 or 0.12 square roots of the area in
+radius, around vertices drawn by the pair's name and a seed. A target keeps its vertices, so that
+the truth stays as it is, and what is mapped though its true place is gone counts by how far off it
+is on the whole target.
 
     bench/cut_list.py BENCHMARK_FOLDER OUT_FOLDER [SEED]
     posture benchmark OUT_FOLDER/cut.csv -o RESULTS
@@ -60,7 +60,7 @@ def main(benchmark, out, seed):
             vertices, faces = read_mesh(place["source"])
             truth = read_truth(benchmark, row["truth"], len(vertices))
             new = {"id": row["id"] + "-cut" + seed, "family": row["family"],
-                   "kind": "cut-" + "-".join(sides), "target_surface": place["target"], **place,
+                   "kind": "cut-" + "-".join(sides), **place,
                    "truth": os.path.abspath(os.path.join(out, row["id"] + ".txt"))}
             if "source" in sides:
                 vertices, faces, kept = compact(vertices, without_balls(vertices, faces, draw))
@@ -70,6 +70,7 @@ def main(benchmark, out, seed):
                 write_mesh(new["source"], vertices, faces)
             if "target" in sides:
                 vertices, faces = read_mesh(place["target"])
+                new["target_surface"] = place["target"]
                 new["target"] = os.path.abspath(os.path.join(out, row["id"] + "-target.off"))
                 write_mesh(new["target"], vertices, without_balls(vertices, faces, draw))
             with open(new["truth"], "w") as lines:

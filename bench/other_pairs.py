@@ -30,7 +30,7 @@ def all_of(family, rows, benchmark):
         return {(a, b): None for a in meshes for b in meshes if a != b and (a, b) not in listed}
     known = {}
     for (a, b), truth in listed.items():
-        known[a, b] = dict(read_truth(benchmark, truth, 0))
+        known[a, b] = dict(read_truth(benchmark, truth))
         known.setdefault((b, a), turned_round(known[a, b]))
     found = {pair: truth for pair, truth in known.items() if pair not in listed}
     for (a, b), first in sorted(known.items()):

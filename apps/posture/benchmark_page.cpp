@@ -239,7 +239,8 @@ std::string stageTable(const Json& families) {
   Cells header{"family"};
   for (const std::string& stage : stages) header.push_back(stage);
   return "\n## Seconds by stage\n\n" + toMarkdown({header, rows}) +
-         "\nMedians over the pairs, of the first attempt at each, which goes on to annealing and "
+         "\nMedians over the pairs, of the attempt on the surfaces as given, which goes on to "
+         "annealing and "
          "what follows only where it is taken; what further attempts took, where there were any, "
          "is in results.json.\n";
 }

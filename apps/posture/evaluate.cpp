@@ -151,13 +151,12 @@ void addEvaluate(CLI::App& app, Common& common) {
       verb->add_option("--surface",
                        options->surface,
                        "Clean mesh that the target is a scan or a part of, in its frame, to "
-                       "measure on (default: the "
-                       "target's own faces; the surface laid through its points)");
+                       "measure on (default: the target itself, through points a surface is laid)");
   verb->add_option(
           "--surface-vertices",
           options->surface_vertices,
-          "File of `point vertex` rows: where the target's points lie on --surface (default: at "
-          "the nearest vertex)")
+          "File of `point vertex` rows: where the target's points (vertices) lie on --surface "
+          "(default: at the nearest vertex)")
       ->needs(surface);
   verb->add_option("--mirror", options->mirror, "As --truth, for the left-right mirrored answer");
   verb->add_option("-o,--output", options->folder, "Folder for evaluation.json, curves and plots");

@@ -17,8 +17,8 @@ class TargetPlaces {
  public:
   /// Measured on `surface` (a clean mesh of the same body in the same frame) where that is named,
   /// else a mesh on itself and a cloud on the surface laid through it.
-  /// \param vertices  file of rows `vertex (point) of the target, vertex of the surface`; empty: each
-  /// goes to the nearest one.
+  /// \param vertices  file of rows: a vertex (point) of the target, a vertex of the surface; empty:
+  /// each goes to the nearest one.
   /// \param scan  of the target where it is a cloud; laid through it here if there is none.
   /// \throws InputError  a file cannot be used.
   TargetPlaces(const Shape& target,

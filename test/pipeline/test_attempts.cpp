@@ -24,8 +24,7 @@ RegistrationResult resultWith(double score, double trust, int place) {
 }
 
 TEST(Attempts, aMapFoundWithClosedHolesIsTakenWithTheTrustFoundWithout) {
-  const RegistrationResult result =
-      withPatchedMap(resultWith(-12, 0.8, 1), resultWith(-11.5, 0.4, 2));
+  const RegistrationResult result = withMapOf(resultWith(-12, 0.8, 1), resultWith(-11.5, 0.4, 2));
   EXPECT_EQ(result.correspondence.on_target[0].vertex, 2);
   EXPECT_EQ(result.deformed(0, 0), 2);
   EXPECT_DOUBLE_EQ(result.correspondence.confidence[0], 0.8);
@@ -33,8 +32,7 @@ TEST(Attempts, aMapFoundWithClosedHolesIsTakenWithTheTrustFoundWithout) {
 }
 
 TEST(Attempts, aMapFoundWithClosedHolesIsTrustedAsMuchAsEither) {
-  const RegistrationResult result =
-      withPatchedMap(resultWith(-8.5, 0.3, 1), resultWith(-9.4, 0.8, 2));
+  const RegistrationResult result = withMapOf(resultWith(-8.5, 0.3, 1), resultWith(-9.4, 0.8, 2));
   EXPECT_EQ(result.correspondence.on_target[0].vertex, 2);
   EXPECT_DOUBLE_EQ(result.trust, 0.8);
   EXPECT_DOUBLE_EQ(result.correspondence.confidence[0], 0.8);
@@ -44,7 +42,7 @@ TEST(Attempts, aMapFoundWithClosedHolesIsTrustedAsMuchAsEither) {
 TEST(Attempts, theWayBackIsTrustedAsTheWayThere) {
   RegistrationResult patched = resultWith(-11.5, 0.4, 2);
   patched.back = WayBack{patched.correspondence};
-  const RegistrationResult result = withPatchedMap(resultWith(-12, 0.8, 1), std::move(patched));
+  const RegistrationResult result = withMapOf(resultWith(-12, 0.8, 1), std::move(patched));
   ASSERT_TRUE(result.back);
   EXPECT_DOUBLE_EQ(result.back->correspondence.confidence[0], 0.8);
 }
@@ -124,6 +122,22 @@ TEST(Attempts, areChangedBeforeAndAfterTheyAreFinished) {
 TEST(Attempts, aMapThatClosedHolesLedAstrayScoresFarWorse) {
   EXPECT_TRUE(patchesLeadAstray(resultWith(-12, 0.8, 1), resultWith(-10.5, 0.4, 2)));
   EXPECT_FALSE(patchesLeadAstray(resultWith(-12, 0.8, 1), resultWith(-11.5, 0.4, 2)));
+}
+
+TEST(Attempts, mapsThatDifferInAHandDoNotAgreeEverywhere) {
+  const TriangleMesh line{Points::NullaryExpr(100, 3, [](auto row, auto) { return 0.01 * row; }),
+                          Faces(0, 3)};
+  std::vector<SurfacePoint> own(100), other(100);
+  for (int v = 0; v < 100; ++v) own[v].vertex = other[v].vertex = v;
+  other[3].vertex = 40;
+  own[50].vertex = -1;
+  EXPECT_TRUE(agreeEverywhere(own, other, line, 1));
+  EXPECT_TRUE(agreeEverywhere(other, own, line, 1));
+  other[4].vertex = 41;
+  EXPECT_FALSE(agreeEverywhere(own, other, line, 1));
+  EXPECT_TRUE(agreeEverywhere(own, other, line, 10));
+  own.assign(100, {});
+  EXPECT_FALSE(agreeEverywhere(own, other, line, 10));
 }
 
 }  // namespace

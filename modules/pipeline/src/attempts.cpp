@@ -19,6 +19,9 @@ namespace {
 /// distance between samples.
 constexpr double SAME_ANSWER = 0.1;
 
+/// A hand, the least part that is a matter of its own, is a fiftieth of a body.
+constexpr double A_PART = 0.02;
+
 /// What closed holes may cost of the score: by so much less, a map is e times less likely to be
 /// right. Scans, whose maps are better for it, lose up to 0.42; where slits had been closed
 /// that lead across a face, maps that were astray had lost 1.2 and more.
@@ -98,21 +101,34 @@ bool isSameAnswer(const RegistrationResult& x,
   return gapBetween(x, y, target, std::sqrt(x.target.area)) < SAME_ANSWER;
 }
 
+bool agreeEverywhere(const std::vector<SurfacePoint>& x,
+                     const std::vector<SurfacePoint>& y,
+                     const TriangleMesh& target,
+                     double size) {
+  int both = 0, elsewhere = 0;
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    if (x[v].vertex < 0 || y[v].vertex < 0) continue;
+    ++both;
+    elsewhere += (positionOf(target, x[v]) - positionOf(target, y[v])).norm() > SAME_ANSWER * size;
+  }
+  return both > 0 && elsewhere < A_PART * both;
+}
+
 bool patchesLeadAstray(const RegistrationResult& as_given, const RegistrationResult& patched) {
   return patched.score > as_given.score + COST_OF_PATCHES;
 }
 
-RegistrationResult withPatchedMap(RegistrationResult as_given, RegistrationResult patched) {
-  if (patched.trust > as_given.trust) return patched;
-  setTrust(as_given.trust, patched);
-  as_given.correspondence = std::move(patched.correspondence);
-  as_given.deformed = std::move(patched.deformed);
-  as_given.back = std::move(patched.back);
-  as_given.scale = patched.scale;
-  as_given.source.patched_holes = patched.source.patched_holes;
-  as_given.target.patched_holes = patched.target.patched_holes;
-  giveVerdict(as_given);
-  return as_given;
+RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map) {
+  if (map.trust > verdict.trust) return map;
+  setTrust(verdict.trust, map);
+  verdict.correspondence = std::move(map.correspondence);
+  verdict.deformed = std::move(map.deformed);
+  verdict.back = std::move(map.back);
+  verdict.scale = map.scale;
+  verdict.source.patched_holes = map.source.patched_holes;
+  verdict.target.patched_holes = map.target.patched_holes;
+  giveVerdict(verdict);
+  return verdict;
 }
 
 RegistrationResult bestAttempt(std::vector<Attempt> attempts,

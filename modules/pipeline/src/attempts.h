@@ -29,14 +29,22 @@ bool isSameAnswer(const RegistrationResult& x,
                   const RegistrationResult& y,
                   const TriangleMesh& target);
 
+/// Whether two maps of one pair lead to the same places everywhere, but for crumbs.
+/// \param size  of the target: square root of its area.
+bool agreeEverywhere(const std::vector<SurfacePoint>& x,
+                     const std::vector<SurfacePoint>& y,
+                     const TriangleMesh& target,
+                     double size);
+
 /// Whether patches lead an answer astray that was found without them too: it then scores far worse.
 bool patchesLeadAstray(const RegistrationResult& as_given, const RegistrationResult& patched);
 
-/// One answer found twice: the map found with closed holes, which drifts less, with the verdict
-/// that trusts it more. Patches differ from pose to pose and blur what tells answers apart; long
-/// rims, as between few views of a body, hide that two shapes are one.
-/// \param as_given  its map does not matter.
-RegistrationResult withPatchedMap(RegistrationResult as_given, RegistrationResult patched);
+/// One answer found twice: the better map, with the verdict that trusts it more. The map found with
+/// closed holes drifts less, unless patches led it astray; but patches differ from pose to pose and
+/// blur what tells answers apart, while long rims, as between few views of a body, hide that two
+/// shapes are one.
+/// \param verdict  its map does not matter.
+RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map);
 
 /// Of several attempts at one pair, on different parts of it, the one that scores best, the first
 /// if none is better by more than scores vary, finished; one that cannot be is left out, but for

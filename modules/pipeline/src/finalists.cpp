@@ -4,35 +4,16 @@
 
 #include <posture/core/parallel.h>
 #include <posture/refine/bend.h>
-#include <posture/refine/grow_anew.h>
-#include <posture/refine/let_go.h>
 
 #include "by_score.h"
-#include "verdict.h"
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 namespace posture {
 namespace {
 
-/// Right candidates have 0.38 and more, mirrored ones -0.35 and less; between them are maps that
-/// are torn, which are no use either.
-constexpr double LEAST_ORIENTATION = 0.2;
-
 constexpr int MOST_FINALISTS = 8, MOST_LAID = 4;
-
-/// Of different answers so many are tried without what they misplace.
-constexpr int MOST_LOOSENED = 8;
-
-/// How finalists settle before parts of them are laid anew.
-const std::vector<double> SETTLING{0.1, 0.3};
-constexpr int SETTLING_ROUNDS = 6;
-
-/// So many different answers are grown anew, and of what comes of it the best are let go of what
-/// they misplace.
-constexpr std::size_t MOST_GROWN_FROM = 4, MOST_GROWN = 6;
 
 /// So many are bent further, so often at most.
 constexpr int BENT_FURTHER = 16, MOST_FURTHER = 4;
@@ -82,70 +63,6 @@ VertexMaps withPart(const VertexMaps& base, const VertexMaps& donor, const std::
     if (inside[donor.backward[t]] || inside[base.backward[t]])
       mixed.backward[t] = donor.backward[t];
   return mixed;
-}
-
-/// A finalist's map with both surfaces bent.
-BentPair bentPair(const SpectralSurface& source,
-                  const SpectralSurface& target,
-                  double softness,
-                  const Finalist& finalist) {
-  if (finalist.bent) return *finalist.bent;
-  const VertexMaps& maps = finalist.maps;
-  BentPair pair{maps,
-                target.mesh.vertices(maps.forward, Eigen::all),
-                source.mesh.vertices(maps.backward, Eigen::all)};
-  for (double share : SETTLING) settle(source, target, share * softness, SETTLING_ROUNDS, pair);
-  return pair;
-}
-
-/// The score that changing a finalist's map has to beat: its own, or that of its bent surfaces once
-/// they have settled. What settling alone gains, no change did.
-double scoreToBeat(const SpectralSurface& source,
-                   const SpectralSurface& target,
-                   double softness,
-                   const Finalist& finalist,
-                   BentPair pair) {
-  settle(source, target, softness, SETTLING_ROUNDS, pair);
-  return std::min(finalist.score.total(), scoreBent(source, target, pair, false).total());
-}
-
-/// Mean distance between where two maps take the vertices that have a counterpart under both;
-/// infinite where there are none.
-double gapBetween(const SpectralSurface& target, const BentPair& x, const BentPair& y) {
-  double sum = 0;
-  int both = 0;
-  for (std::size_t v = 0; v < x.maps.forward.size(); ++v) {
-    if ((!x.apart_a.empty() && x.apart_a[v]) || (!y.apart_a.empty() && y.apart_a[v])) continue;
-    ++both;
-    sum +=
-        (target.mesh.vertices.row(x.maps.forward[v]) - target.mesh.vertices.row(y.maps.forward[v]))
-            .norm();
-  }
-  return both > 0 ? sum / both : std::numeric_limits<double>::infinity();
-}
-
-/// The finalist with another map, if that looks like one body and keeps the outside out.
-std::optional<Finalist> withMap(const SpectralSurface& source,
-                                const SpectralSurface& target,
-                                BentPair pair,
-                                const MapScore& score,
-                                Finalist finalist) {
-  if (!convinces(score.total())) return {};
-  finalist.orientation = orientation(source, target, pair.maps);
-  if (finalist.orientation <= LEAST_ORIENTATION) return {};
-  finalist.score = score;
-  finalist.maps = pair.maps;
-  finalist.bent = std::move(pair);
-  return finalist;
-}
-
-/// Those that there are, and the others, by increasing score.
-std::vector<Finalist> joined(std::vector<std::optional<Finalist>> some,
-                             std::vector<Finalist> others) {
-  std::vector<Finalist> there;
-  for (std::optional<Finalist>& one : some)
-    if (one) there.push_back(std::move(*one));
-  return joined(std::move(there), std::move(others));
 }
 
 }  // namespace
@@ -224,68 +141,6 @@ std::vector<Finalist> layFinalists(const SpectralSurface& source,
              laid.end());
   sortByScore(laid);
   return laid;
-}
-
-std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
-                                     const SpectralSurface& target,
-                                     const std::vector<int>& distinct,
-                                     std::vector<Finalist> finalists) {
-  std::vector<Finalist> tried;
-  for (int i : distinct)
-    if (static_cast<int>(tried.size()) < MOST_LOOSENED && !finalists[i].laid)
-      tried.push_back(finalists[i]);
-  const double softness = settlingSoftness(source.eigenvalues, target.eigenvalues);
-  std::vector<std::optional<Finalist>> loose(tried.size());
-  parallelFor(static_cast<int>(tried.size()), [&](int i) {
-    BentPair pair = bentPair(source, target, softness, tried[i]);
-    const BentPair before = pair;
-    const std::optional<MapScore> score = letGo(source, target, softness, SCORE_NOISE, pair);
-    if (score &&
-        score->total() < scoreToBeat(source, target, softness, tried[i], before) - SCORE_NOISE)
-      loose[i] = withMap(source, target, std::move(pair), *score, tried[i]);
-  });
-  return joined(std::move(loose), std::move(finalists));
-}
-
-std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
-                                         const SpectralSurface& target,
-                                         const std::vector<int>& distinct,
-                                         double gap,
-                                         std::vector<Finalist> finalists) {
-  struct Grown {
-    const Finalist* from;
-    BentPair pair;
-    MapScore score;
-  };
-  const double softness = settlingSoftness(source.eigenvalues, target.eigenvalues);
-  std::vector<Grown> grown;
-  const std::size_t begun = std::min(MOST_GROWN_FROM, distinct.size());
-  std::vector<BentPair> pairs(begun);
-  std::vector<double> before(begun);
-  parallelFor(static_cast<int>(begun), [&](int k) {
-    const Finalist& finalist = finalists[distinct[k]];
-    pairs[k] = bentPair(source, target, softness, finalist);
-    before[k] = scoreToBeat(source, target, softness, finalist, pairs[k]);
-  });
-  for (std::size_t k = 0; k < begun; ++k)
-    for (ScoredPair& one : growAnew(source, target, softness, pairs.front(), pairs[k])) {
-      // The same answer once more, less of the body mapped, is no better.
-      double known = before[k];
-      for (std::size_t other = 0; other < begun; ++other)
-        if (gapBetween(target, one.pair, pairs[other]) <= gap)
-          known = std::min(known, before[other]);
-      if (one.score.total() < known - SCORE_NOISE)
-        grown.push_back({&finalists[distinct[k]], std::move(one.pair), one.score});
-    }
-  sortByScore(grown);
-  grown.resize(std::min(MOST_GROWN, grown.size()));
-  std::vector<std::optional<Finalist>> better(grown.size());
-  parallelFor(static_cast<int>(grown.size()), [&](int i) {
-    auto& [from, pair, score] = grown[i];
-    const std::optional<MapScore> less = letGo(source, target, softness, SCORE_NOISE, pair);
-    better[i] = withMap(source, target, std::move(pair), less.value_or(score), *from);
-  });
-  return joined(std::move(better), std::move(finalists));
 }
 
 std::vector<Finalist> joined(std::vector<Finalist> some, std::vector<Finalist> others) {

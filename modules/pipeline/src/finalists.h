@@ -16,6 +16,10 @@ namespace posture {
 /// The most functions that finalists are bent with.
 constexpr int FINALIST_BASIS = 60;
 
+/// Of the orientation of a finalist: right candidates have 0.38 and more, mirrored ones -0.35 and
+/// less; between them are maps that are torn, which are no use either.
+constexpr double LEAST_ORIENTATION = 0.2;
+
 /// A candidate that keeps the outside out, registered on the coarse meshes.
 struct Finalist {
   double orientation = 0;  ///< of the map it began as
@@ -47,25 +51,6 @@ std::vector<Finalist> layFinalists(const SpectralSurface& source,
                                    const SpectralSurface& target,
                                    const SurfacePlaces& source_places,
                                    const SurfacePlaces& target_places);
-
-/// Finalists, and the first different ones of them once more with what they misplace let go of,
-/// where that makes their scores better, and what is left looks like one body (convinces()) and
-/// keeps the outside out. By increasing score.
-/// \param distinct  of the finalists, those that are different.
-std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
-                                     const SpectralSurface& target,
-                                     const std::vector<int>& distinct,
-                                     std::vector<Finalist> finalists);
-
-/// Finalists, and the best of what comes of keeping a part of the first different ones and laying
-/// the rest anew (growAnew()), where that scores better than what it came of and than any that is
-/// the same answer, looks like one body and keeps the outside out. By increasing score.
-/// \param distinct  of the finalists, those that are different, by more than `gap`.
-std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
-                                         const SpectralSurface& target,
-                                         const std::vector<int>& distinct,
-                                         double gap,
-                                         std::vector<Finalist> finalists);
 
 /// Puts two lists into one, by increasing score.
 std::vector<Finalist> joined(std::vector<Finalist> some, std::vector<Finalist> others);

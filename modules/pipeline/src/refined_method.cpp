@@ -6,7 +6,7 @@
 #include <posture/refine/tip_maps.h>
 
 #include "answers.h"
-#include "finalists.h"
+#include "changed_finalists.h"
 #include "loose_pieces.h"
 #include "pieces.h"
 #include "posed_side.h"
@@ -83,6 +83,27 @@ bool mayLack(const PosedSide& source, const PosedSide& target) {
   return open(source) || open(target);
 }
 
+/// Whether an answer found otherwise is believed and the best finalist leads there too, wherever it
+/// leads.
+bool confirms(const RegistrationResult* known,
+              const PosedSide& source,
+              const PosedSide& target,
+              const std::vector<Finalist>& finalists) {
+  if (known == nullptr || !isDecided(*known) || finalists.empty()) return false;
+  const Finalist& best = finalists.front();
+  const std::vector<int> places =
+      coarseToInput(best.maps, source.given, source.shape, target.given, target.shape);
+  std::vector<SurfacePoint> on_target(places.size());
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    const RefinedShape& shape = source.shape;
+    const int coarse = shape.coarse.nearest[shape.work.nearest[source.given.clean.clean_vertex[v]]];
+    if (!best.bent || best.bent->apart_a.empty() || !best.bent->apart_a[coarse])
+      on_target[v].vertex = places[v];
+  }
+  return agreeEverywhere(
+      known->correspondence.on_target, on_target, target.given.input, 1 / target.pose.unit);
+}
+
 /// Different maps between the coarse surfaces, by increasing score.
 std::vector<Finalist> findFinalists(const PosedSide& source_side,
                                     const PosedSide& target_side,
@@ -90,6 +111,7 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
                                     const SpectralSurface& target,
                                     const std::vector<SampleMap>& pool,
                                     bool may_lack,
+                                    const RegistrationResult* known,
                                     StageClock& clock) {
   const SampledShape &source_samples = source_side.shape.samples,
                      &target_samples = target_side.shape.samples;
@@ -116,12 +138,25 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
       const std::vector<int> different = distinct();
       finalists = withPartsLetGo(source, target, different, std::move(finalists));
     });
-    // With holes closed the map is wanted for what it does not lose; its answer is known by then.
-    if (source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0)
+    // With holes closed the map is wanted for what it does not lose.
+    const bool as_given =
+        source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0;
+    if (as_given && !confirms(known, source_side, target_side, finalists)) {
+      clock.stage("turning", 0.03, [&] {
+        const std::vector<int> different = distinct();
+        finalists = withTurned(source,
+                               target,
+                               turnsOntoItself(source, source_samples),
+                               turnsOntoItself(target, target_samples),
+                               different,
+                               gap,
+                               std::move(finalists));
+      });
       clock.stage("growing anew", 0.03, [&] {
         const std::vector<int> different = distinct();
         finalists = withPartsGrownAnew(source, target, different, gap, std::move(finalists));
       });
+    }
   }
 
   // Where bodies stretch, the right candidate is not among those that change distances least.
@@ -221,7 +256,7 @@ void refineAlternatives(const ChosenMap& chosen, RegistrationResult& result) {
 }
 
 /// Chooses a map: the way from the surfaces to the best of the refined maps.
-void chooseMap(ChosenMap& chosen, StageClock& clock) {
+void chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& clock) {
   PosedSide &source = chosen.source, &target = chosen.target;
   clock.stage("reduction", 0.03, [&] { reduceSides(source, target); });
 
@@ -250,8 +285,8 @@ void chooseMap(ChosenMap& chosen, StageClock& clock) {
   chosen.may_lack = mayLack(source, target);
   const SpectralSurface source_coarse = source.shape.coarseSurface(),
                         target_coarse = target.shape.coarseSurface();
-  chosen.finalists =
-      findFinalists(source, target, source_coarse, target_coarse, pool, chosen.may_lack, clock);
+  chosen.finalists = findFinalists(
+      source, target, source_coarse, target_coarse, pool, chosen.may_lack, known, clock);
   const std::vector<Finalist>& finalists = chosen.finalists;
   RegistrationResult& result = chosen.result;
   result.source = summarize(source.given, source.shape);
@@ -287,8 +322,8 @@ void chooseMap(ChosenMap& chosen, StageClock& clock) {
                                            answers,
                                            refined_answers);
     for (int answer : answers) {
-      const RefinedMap* known = refined_answers.of(answer);
-      chosen.begun_from.push_back(known != nullptr ? known->finalist : answer);
+      const RefinedMap* map = refined_answers.of(answer);
+      chosen.begun_from.push_back(map != nullptr ? map->finalist : answer);
     }
     result.chosen = nearestAnswer(result.alternatives);
     result.score = chosen.best.score.total();
@@ -336,9 +371,10 @@ RegistrationResult finishMap(const ChosenMap& chosen,
 Attempt refinedMethod(const GivenShape& source,
                       const GivenShape& target,
                       const RegistrationOptions& options,
-                      StageClock& clock) {
+                      StageClock& clock,
+                      const RegistrationResult* known) {
   const auto chosen = std::make_shared<ChosenMap>(source, target);
-  chooseMap(*chosen, clock);
+  chooseMap(*chosen, known, clock);
   Attempt attempt{chosen->result, {}};
   if (chosen->result.chosen < 0) return attempt;
   if (!options.refine_alternatives) chosen->finalists = {};

@@ -12,9 +12,12 @@ namespace posture {
 /// are bent onto the target, the best refined. That far the attempt goes at once; finishing it
 /// takes the map to a fraction of an edge and completes the source. docs/pipeline.md has the
 /// stages. The `input` of both sides and the clock outlive the attempt; `clean` need not.
+/// \param known  an answer found otherwise, in the numbering of both inputs; null: none. Where it
+/// is trusted and the best finalist agrees with it, none is turned or grown anew.
 Attempt refinedMethod(const GivenShape& source,
                       const GivenShape& target,
                       const RegistrationOptions& options,
-                      StageClock& clock);
+                      StageClock& clock,
+                      const RegistrationResult* known = nullptr);
 
 }  // namespace posture

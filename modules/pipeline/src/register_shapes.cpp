@@ -48,25 +48,29 @@ double shareInPieces(const CleanMesh& clean) {
 
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted:
 /// the better map tells.
+/// \param known  see refinedMethod().
 Attempt registerWhole(const GivenShape& source,
                       const GivenShape& target,
                       const RegistrationOptions& options,
                       double portion,
+                      const RegistrationResult* known,
                       StageClock& clock) {
   const auto [source_parted, target_parted] = clock.stage("contacts", 0, [&] {
     return std::pair(partedSurface(source.input, source.clean),
                      partedSurface(target.input, target.clean));
   });
   const bool parted = source_parted.contacts > 0 || target_parted.contacts > 0;
-  Attempt whole = clock.within({"", parted ? portion / 2 : portion},
-                               [&] { return refinedMethod(source, target, options, clock); });
+  Attempt whole = clock.within({"", parted ? portion / 2 : portion}, [&] {
+    return refinedMethod(source, target, options, clock, known);
+  });
   if (!parted) return whole;
   std::optional<Attempt> other = clock.tryAttempt(
       "parted", portion / 2, [&, &a = source_parted.clean, &b = target_parted.clean] {
         return refinedMethod({source.input, a, source.patch_vertices},
                              {target.input, b, target.patch_vertices},
                              options,
-                             clock);
+                             clock,
+                             known);
       });
   if (!other || other->found.score > whole.found.score - SCORE_NOISE) return whole;
   Attempt cut = withChange(std::move(*other),
@@ -86,7 +90,7 @@ Attempt registerWhole(const GivenShape& source,
   return cut;
 }
 
-/// The same, and where there are holes to speak of once more with those closed that may be.
+/// The same, and where there are holes to speak of first with those closed that may be.
 RegistrationResult registerPatched(const GivenShape& source,
                                    const GivenShape& target,
                                    const RegistrationOptions& options,
@@ -96,32 +100,31 @@ RegistrationResult registerPatched(const GivenShape& source,
     return std::pair(withPatches(source.input, source.clean),
                      withPatches(target.input, target.clean));
   });
-  const bool matters = std::max(source_patched.rims, target_patched.rims) > MANY_RIMS;
-  Attempt as_given = registerWhole(source, target, options, matters ? 0.5 : 1, clock);
-  if (!matters) return finished(std::move(as_given));
-  std::optional<Attempt> patched =
+  if (std::max(source_patched.rims, target_patched.rims) <= MANY_RIMS)
+    return finished(registerWhole(source, target, options, 1, nullptr, clock));
+  std::optional<Attempt> closed =
       clock.tryAttempt("patched", 0.5, [&, &a = source_patched, &b = target_patched] {
-        return refinedMethod(a.given(), b.given(), options, clock);
+        return withChange(
+            refinedMethod(a.given(), b.given(), options, clock),
+            [&](RegistrationResult& result) { leaveOutPatches(source, a, target, b, result); });
       });
-  if (!patched) return finished(std::move(as_given));
-  Attempt closed =
-      withChange(std::move(*patched),
-                 [&, &a = source_patched, &b = target_patched](RegistrationResult& result) {
-                   leaveOutPatches(source, a, target, b, result);
-                 });
-  if (as_given.found.chosen < 0 || closed.found.chosen < 0 ||
-      !isSameAnswer(as_given.found, closed.found, target.input)) {
+  Attempt as_given =
+      registerWhole(source, target, options, 0.5, closed ? &closed->found : nullptr, clock);
+  if (!closed) return finished(std::move(as_given));
+  if (as_given.found.chosen < 0 || closed->found.chosen < 0 ||
+      !isSameAnswer(as_given.found, closed->found, target.input)) {
     std::vector<Attempt> attempts;
     attempts.push_back(std::move(as_given));
-    attempts.push_back(std::move(closed));
+    attempts.push_back(std::move(*closed));
     return bestAttempt(std::move(attempts), target.input, options, clock);
   }
-  if (patchesLeadAstray(as_given.found, closed.found)) return finished(std::move(as_given));
-  std::optional<RegistrationResult> map = clock.tryTo([&] { return finished(std::move(closed)); });
-  if (!map) return finished(std::move(as_given));
+  const bool astray = patchesLeadAstray(as_given.found, closed->found);
+  Attempt &better = astray ? as_given : *closed, &other = astray ? *closed : as_given;
+  std::optional<RegistrationResult> map = clock.tryTo([&] { return finished(std::move(better)); });
+  if (!map) return finished(std::move(other));
   if (options.refine_alternatives)
-    if (auto whole = clock.tryTo([&] { return finished(as_given); })) as_given.found = *whole;
-  return withPatchedMap(std::move(as_given.found), std::move(*map));
+    if (auto whole = clock.tryTo([&] { return finished(other); })) other.found = *whole;
+  return withMapOf(std::move(other.found), std::move(*map));
 }
 
 /// For surfaces in pieces: joined where the gaps between them are narrow, they may tell more.

@@ -49,7 +49,7 @@ class StageClock {
 
   /// The attempt that stages belong to, and what their shares count by.
   struct Label {
-    std::string attempt;  ///< "": the first
+    std::string attempt;  ///< "": as given
     double portion = 1;
   };
   const Label& label() const { return label_; }

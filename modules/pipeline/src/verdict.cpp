@@ -76,6 +76,8 @@ bool looksAlike(const RegistrationResult& result) {
   return result.chosen >= 0 && convinces(result.score);
 }
 
+bool isDecided(const RegistrationResult& result) { return result.trust >= LEAST_TRUST; }
+
 double trustIn(const RegistrationResult& result) {
   const int rival = rivalOf(result);
   const double decision =
@@ -109,7 +111,7 @@ void addRival(AlternativeSummary rival, double rival_trust, RegistrationResult& 
 }
 
 void giveVerdict(RegistrationResult& result) {
-  result.status = result.trust >= LEAST_TRUST ? Status::REGISTERED : Status::UNDECIDED;
+  result.status = isDecided(result) ? Status::REGISTERED : Status::UNDECIDED;
   if (result.status == Status::REGISTERED)
     result.message = mappedMessage(result);
   else if (likenessOf(result.score) < LEAST_TRUST)

@@ -34,6 +34,9 @@ bool convinces(double score);
 /// Whether the final map scores as those between poses of one body do.
 bool looksAlike(const RegistrationResult& result);
 
+/// Whether the trust is enough to say that the answer is the right one.
+bool isDecided(const RegistrationResult& result);
+
 /// Changes the trust, and the confidences of all maps with it.
 void setTrust(double trust, RegistrationResult& result);
 

@@ -156,22 +156,6 @@ SampleMap compose(const SampleMap& first, const SampleMap& second) {
   return map;
 }
 
-/// Maps of a shape onto itself that move it, the best few.
-std::vector<SampleMap> symmetries(const SampledShape& shape, int most) {
-  SampleMap identity;
-  identity.forward.resize(shape.form.rows());
-  std::iota(identity.forward.begin(), identity.forward.end(), 0);
-  std::vector<SampleMap> maps = seededMaps(shape, shape, most + 1);
-  maps.erase(std::remove_if(maps.begin(),
-                            maps.end(),
-                            [&](const SampleMap& map) {
-                              return meanGap(shape, map, identity) < shape.spacing;
-                            }),
-             maps.end());
-  if (static_cast<int>(maps.size()) > most) maps.resize(most);
-  return maps;
-}
-
 }  // namespace
 
 double distortion(const SampledShape& a, const SampledShape& b, const SampleMap& map) {
@@ -199,6 +183,21 @@ void zoomOut(const SampledShape& a,
     joint_b << fb * c.ba, fb;
     nearestBothWays(joint_a, joint_b, map.forward, map.backward);
   }
+}
+
+std::vector<SampleMap> symmetries(const SampledShape& shape, int most) {
+  SampleMap identity;
+  identity.forward.resize(shape.form.rows());
+  std::iota(identity.forward.begin(), identity.forward.end(), 0);
+  std::vector<SampleMap> maps = seededMaps(shape, shape, most + 1);
+  maps.erase(std::remove_if(maps.begin(),
+                            maps.end(),
+                            [&](const SampleMap& map) {
+                              return meanGap(shape, map, identity) < shape.spacing;
+                            }),
+             maps.end());
+  if (static_cast<int>(maps.size()) > most) maps.resize(most);
+  return maps;
 }
 
 std::vector<SampleMap> poolOfMaps(const SampledShape& a, const SampledShape& b, int most) {

@@ -23,7 +23,7 @@ struct StagePicture {
 
 /// What a run says while it goes on.
 struct StageEvent {
-  std::string_view attempt;  ///< "" for the first, "parted", "patched", "joined", "piece-1", ...
+  std::string_view attempt;  ///< "": as given; "parted", "patched", "joined", "piece-1", ...
   std::string_view stage;    ///< "geodesic", "embedding", ...
   double progress = 0;       ///< of the whole run, in [0, 1]
   /// Makes the pictures of the stage that has just ended; empty when one begins. Only those who
@@ -31,7 +31,7 @@ struct StageEvent {
   std::function<std::vector<StagePicture>()> pictures;
 };
 
-/// An attempt and a stage of it in one: "parted geodesic", or "geodesic" in the first attempt.
+/// An attempt and a stage of it in one: "parted geodesic", or "geodesic" of the surfaces as given.
 std::string stageTitle(std::string_view attempt, std::string_view stage);
 
 /// Called from the thread that called registerShapes(); an exception it throws ends the run.

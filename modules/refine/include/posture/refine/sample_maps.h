@@ -35,6 +35,9 @@ void zoomOut(const SampledShape& a,
              const std::vector<int>& sizes,
              SampleMap& map);
 
+/// Maps of a shape onto itself that move it, mirrored ones among them; by increasing distortion.
+std::vector<SampleMap> symmetries(const SampledShape& shape, int most);
+
 /// Different maps between two shapes, by increasing distortion: from all orders and signs of the
 /// canonical forms' axes and of the first three eigenfunctions, each refined; then, as symmetric
 /// bodies have several good answers, the best of them combined with what each shape's own
