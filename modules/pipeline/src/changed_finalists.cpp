@@ -110,9 +110,11 @@ struct Changed {
   Finalist from;
   BentPair pair;
   MapScore score;
+  bool is_known = false;  ///< the answer of another finalist, in a better state
 };
 
-/// Finalists, and the best of what was made of them, with what they misplace let go of.
+/// Finalists, and the best of what was made of them, new answers with what they misplace let go of:
+/// of known ones less of the body always fits a little better.
 std::vector<Finalist> withBestOf(const SpectralSurface& source,
                                  const SpectralSurface& target,
                                  double softness,
@@ -122,8 +124,9 @@ std::vector<Finalist> withBestOf(const SpectralSurface& source,
   changed.resize(std::min(MOST_CHANGED, changed.size()));
   std::vector<std::optional<Finalist>> better(changed.size());
   parallelFor(static_cast<int>(changed.size()), [&](int i) {
-    auto& [from, pair, score] = changed[i];
-    const std::optional<MapScore> less = letGo(source, target, softness, SCORE_NOISE, pair);
+    auto& [from, pair, score, is_known] = changed[i];
+    std::optional<MapScore> less;
+    if (!is_known) less = letGo(source, target, softness, SCORE_NOISE, pair);
     better[i] = withMap(source, target, std::move(pair), less.value_or(score), std::move(from));
   });
   return joined(std::move(better), std::move(finalists));
@@ -175,7 +178,7 @@ std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
         if (gapBetween(target, one.pair, pairs[other]) <= gap)
           known = std::min(known, before[other]);
       if (one.score.total() < known - SCORE_NOISE)
-        grown.push_back({finalists[distinct[k]], std::move(one.pair), one.score});
+        grown.push_back({finalists[distinct[k]], std::move(one.pair), one.score, false});
     }
   return withBestOf(source, target, softness, std::move(grown), std::move(finalists));
 }
@@ -230,18 +233,20 @@ std::vector<Finalist> withTurned(const SpectralSurface& source,
       BentPair pair = bentPair(source, target, softness, composed_ones[i]);
       settle(source, target, softness, SETTLING_ROUNDS, pair);
       const MapScore score = scoreBent(source, target, pair, false);
-      settled[i] = Changed{composed_ones[i], std::move(pair), score};
+      settled[i] = Changed{composed_ones[i], std::move(pair), score, false};
     } catch (const std::runtime_error&) {  // too torn to be bent
     }
   });
   std::vector<Changed> turned;
   for (std::optional<Changed>& one : settled) {
     if (!one) continue;
-    const auto known = [&](int i) {
-      return gapBetween(target.mesh, finalists[i].maps, one->pair.maps) <= gap &&
-             one->score.total() >= finalists[i].score.total() - SCORE_NOISE;
-    };
-    if (std::none_of(distinct.begin(), distinct.end(), known)) turned.push_back(std::move(*one));
+    bool is_better = true;
+    for (int i : distinct) {
+      if (gapBetween(target.mesh, finalists[i].maps, one->pair.maps) > gap) continue;
+      one->is_known = true;
+      is_better = is_better && one->score.total() < finalists[i].score.total() - SCORE_NOISE;
+    }
+    if (is_better) turned.push_back(std::move(*one));
   }
   return withBestOf(source, target, softness, std::move(turned), std::move(finalists));
 }

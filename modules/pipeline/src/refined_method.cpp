@@ -142,6 +142,10 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
     const bool as_given =
         source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0;
     if (as_given && !confirms(known, source_side, target_side, finalists)) {
+      clock.stage("growing anew", 0.03, [&] {
+        const std::vector<int> different = distinct();
+        finalists = withPartsGrownAnew(source, target, different, gap, std::move(finalists));
+      });
       clock.stage("turning", 0.03, [&] {
         const std::vector<int> different = distinct();
         finalists = withTurned(source,
@@ -151,10 +155,6 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
                                different,
                                gap,
                                std::move(finalists));
-      });
-      clock.stage("growing anew", 0.03, [&] {
-        const std::vector<int> different = distinct();
-        finalists = withPartsGrownAnew(source, target, different, gap, std::move(finalists));
       });
     }
   }
