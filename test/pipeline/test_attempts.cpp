@@ -136,6 +136,8 @@ TEST(Attempts, mapsThatDifferInAHandDoNotAgreeEverywhere) {
   other[4].vertex = 41;
   EXPECT_FALSE(agreeEverywhere(own, other, line, 1));
   EXPECT_TRUE(agreeEverywhere(own, other, line, 10));
+  for (int v = 0; v < 51; ++v) own[v].vertex = -1;
+  EXPECT_FALSE(agreeEverywhere(own, other, line, 10));  // they share too little
   own.assign(100, {});
   EXPECT_FALSE(agreeEverywhere(own, other, line, 10));
 }

@@ -105,13 +105,14 @@ bool agreeEverywhere(const std::vector<SurfacePoint>& x,
                      const std::vector<SurfacePoint>& y,
                      const TriangleMesh& target,
                      double size) {
-  int both = 0, elsewhere = 0;
+  int both = 0, either = 0, elsewhere = 0;
   for (std::size_t v = 0; v < x.size(); ++v) {
+    either += x[v].vertex >= 0 || y[v].vertex >= 0;
     if (x[v].vertex < 0 || y[v].vertex < 0) continue;
     ++both;
     elsewhere += (positionOf(target, x[v]) - positionOf(target, y[v])).norm() > SAME_ANSWER * size;
   }
-  return both > 0 && elsewhere < A_PART * both;
+  return both > 0 && 2 * both >= either && elsewhere < A_PART * both;
 }
 
 bool patchesLeadAstray(const RegistrationResult& as_given, const RegistrationResult& patched) {

@@ -29,7 +29,8 @@ bool isSameAnswer(const RegistrationResult& x,
                   const RegistrationResult& y,
                   const TriangleMesh& target);
 
-/// Whether two maps of one pair lead to the same places everywhere, but for crumbs.
+/// Whether two maps of one pair lead to the same places everywhere, but for crumbs;
+/// not if they share less than half.
 /// \param size  of the target: square root of its area.
 bool agreeEverywhere(const std::vector<SurfacePoint>& x,
                      const std::vector<SurfacePoint>& y,
