@@ -11,21 +11,23 @@
 namespace posture {
 namespace {
 
+RefinedShape refinedShape(const TriangleMesh& mesh) {
+  RefinedShape shape = fullSide("club", mesh, false);
+  reduceSide(5000, shape);
+  addSpectrum(shape);
+  addSamples(shape);
+  return shape;
+}
+
 class RefinedMaps : public testing::Test {
  protected:
-  RefinedMaps() : club_(fullSide("club", test::clubWithHand(), false)) {
-    reduceSide(5000, club_);
-    addSpectrum(club_);
-    addSamples(club_);
-  }
-
   /// The club onto itself, from a map that has the arm wound so.
   RefinedMap refined(double angle) const {
     const TriangleMesh& coarse = club_.coarse.mesh;
     Finalist finalist;
     finalist.maps = {test::nearestOf(test::wound(coarse, angle), coarse),
                      test::nearestOf(test::wound(coarse, -angle), coarse)};
-    RefinedMap map = refineFinalists(club_, club_, {&finalist}).front();
+    RefinedMap map = refineFinalists(club_, club_, false, {&finalist}).front();
     annealMap(club_, club_, false, map);
     return map;
   }
@@ -35,7 +37,7 @@ class RefinedMaps : public testing::Test {
     return scoreMaps(work, work, map.pair.maps).total();
   }
 
-  RefinedShape club_;
+  RefinedShape club_ = refinedShape(test::clubWithHand());
 };
 
 TEST_F(RefinedMaps, whatFitsIsExact) {
@@ -50,6 +52,35 @@ TEST_F(RefinedMaps, aTurnedHandIsTurnedBackAndJudgedAsBefore) {
   EXPECT_LT(test::meanMiss(club_.work.mesh, map.pair.maps.forward), 0.5);
   EXPECT_LT(test::meanMiss(club_.work.mesh, map.pair.maps.backward), 0.5);
   EXPECT_GT(map.score.total(), scoreOf(map) + 0.03);
+}
+
+TEST_F(RefinedMaps, whatTheOtherSideLacksIsLetGoOfBeforeMapsAreCompared) {
+  constexpr double CUT = 0.3;  // of an arm of about 0.9
+  const RefinedShape cut = refinedShape(test::CutClub(club_.full, CUT).mesh);
+  const TriangleMesh &a = club_.coarse.mesh, &b = cut.coarse.mesh;
+  const test::SqueezedArm arm(club_.full, CUT);
+  const Points onto = arm.squeezed(a.vertices), back = arm.drawnOut(b.vertices);
+  Finalist finalist;
+  finalist.maps = {test::nearestOf(onto, b), test::nearestOf(back, a)};
+  finalist.bent = BentPair{finalist.maps, onto, back};
+  const RefinedMap squeezed = refineFinalists(club_, cut, false, {&finalist}).front();
+  const RefinedMap loose = refineFinalists(club_, cut, true, {&finalist}).front();
+  EXPECT_LT(loose.score.total(), squeezed.score.total() - SCORE_NOISE);
+  // In edges, of what both have.
+  const auto miss = [&](const RefinedMap& map) {
+    const TriangleMesh &whole = club_.work.mesh, &rest = cut.work.mesh;
+    const double tip = whole.vertices.col(0).maxCoeff();
+    double sum = 0;
+    int count = 0;
+    for (int v = 0; v < whole.vertices.rows(); ++v) {
+      if (whole.vertices(v, 0) > tip - CUT) continue;
+      sum += (whole.vertices.row(v) - rest.vertices.row(map.pair.maps.forward[v])).norm();
+      ++count;
+    }
+    return sum / (count * meanEdgeLength(whole));
+  };
+  EXPECT_LT(miss(loose), 0.1);
+  EXPECT_GT(miss(squeezed), 2 * miss(loose));
 }
 
 TEST(WorkMeshes, shareABudget) {

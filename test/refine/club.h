@@ -10,6 +10,7 @@
 #include "support/shapes.h"
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace posture::test {
@@ -53,6 +54,51 @@ inline Points wound(const TriangleMesh& mesh, double angle) {
   }
   return places;
 }
+
+/// A club without what was nearer to the tip than `reach`.
+struct CutClub {
+  CutClub(const TriangleMesh& whole, double reach) {
+    const double tip = whole.vertices.col(0).maxCoeff();
+    std::vector<int> faces, number(whole.vertices.rows(), -1);
+    for (int f = 0; f < whole.faces.rows(); ++f) {
+      const auto face = whole.faces.row(f);
+      if (std::none_of(
+              face.begin(), face.end(), [&](int v) { return whole.vertices(v, 0) > tip - reach; }))
+        faces.push_back(f);
+    }
+    mesh.faces = whole.faces(faces, Eigen::all);
+    for (int v : mesh.faces.reshaped()) number[v] = 0;
+    for (std::size_t v = 0; v < number.size(); ++v)
+      if (number[v] == 0) {
+        number[v] = static_cast<int>(of_whole.size());
+        of_whole.push_back(static_cast<int>(v));
+      }
+    for (int& v : mesh.faces.reshaped()) v = number[v];
+    mesh.vertices = whole.vertices(of_whole, Eigen::all);
+  }
+
+  TriangleMesh mesh;
+  std::vector<int> of_whole;  ///< each vertex's number in the whole club
+};
+
+/// The arm from 2.2 times `reach` off the tip on, squeezed onto what is left of it when `reach` is
+/// cut off, and drawn out again.
+struct SqueezedArm {
+  SqueezedArm(const TriangleMesh& whole, double reach)
+      : root(whole.vertices.col(0).maxCoeff() - 2.2 * reach) {}
+
+  Points squeezed(Points places) const { return scaled(std::move(places), 1.2 / 2.2); }
+  Points drawnOut(Points places) const { return scaled(std::move(places), 2.2 / 1.2); }
+
+  double root;
+
+ private:
+  Points scaled(Points places, double ratio) const {
+    for (auto p : places.rowwise())
+      if (p.x() > root) p.x() = root + ratio * (p.x() - root);
+    return places;
+  }
+};
 
 inline std::vector<int> nearestOf(const Points& from, const TriangleMesh& to) {
   const PointIndex index(to.vertices);

@@ -28,34 +28,10 @@ class LetGo : public testing::Test {
     return marked;
   }
 
-  TriangleMesh cutClub() {
-    const TriangleMesh& mesh = whole_.mesh;
-    const std::vector<char> gone = end(mesh, CUT);
-    std::vector<int> faces, number(gone.size(), -1);
-    for (int f = 0; f < mesh.faces.rows(); ++f) {
-      const auto face = mesh.faces.row(f);
-      if (std::none_of(face.begin(), face.end(), [&](int v) { return gone[v]; }))
-        faces.push_back(f);
-    }
-    TriangleMesh cut{{}, mesh.faces(faces, Eigen::all)};
-    for (int v : cut.faces.reshaped()) number[v] = 0;
-    for (std::size_t v = 0; v < number.size(); ++v)
-      if (number[v] == 0) {
-        number[v] = static_cast<int>(of_whole_.size());
-        of_whole_.push_back(static_cast<int>(v));
-      }
-    for (int& v : cut.faces.reshaped()) v = number[v];
-    cut.vertices = mesh.vertices(of_whole_, Eigen::all);
-    return cut;
-  }
-
   /// The whole arm squeezed onto what is left of it.
   BentPair squeezed() const {
-    const double tip = whole_.mesh.vertices.col(0).maxCoeff(), root = tip - 2.2 * CUT;
-    const double ratio = (tip - CUT - root) / (tip - root);
-    Points onto = whole_.mesh.vertices, back = cut_.mesh.vertices;
-    for (auto p : onto.rowwise()) p.x() = p.x() > root ? root + ratio * (p.x() - root) : p.x();
-    for (auto p : back.rowwise()) p.x() = p.x() > root ? root + (p.x() - root) / ratio : p.x();
+    const test::SqueezedArm arm(whole_.mesh, CUT);
+    Points onto = arm.squeezed(whole_.mesh.vertices), back = arm.drawnOut(cut_.mesh.vertices);
     return {{test::nearestOf(onto, cut_.mesh), test::nearestOf(back, whole_.mesh)}, onto, back};
   }
 
@@ -85,9 +61,10 @@ class LetGo : public testing::Test {
   }
 
   const SpectralSurface whole_ = test::spectralSurface(test::clubWithHand(), 100);
-  std::vector<int> of_whole_;
+  const test::CutClub club_{whole_.mesh, CUT};
+  const std::vector<int>& of_whole_ = club_.of_whole;
   const SpectralSurface cut_{
-      cutClub(), whole_.functions(of_whole_, Eigen::all).cast<double>(), whole_.eigenvalues};
+      club_.mesh, whole_.functions(of_whole_, Eigen::all).cast<double>(), whole_.eigenvalues};
   const double softness_ = whole_.eigenvalues[whole_.eigenvalues.size() - 1];
 };
 

@@ -10,6 +10,7 @@
 #include "by_score.h"
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace posture {
@@ -35,6 +36,11 @@ constexpr double LEAST_GAIN = 0.03;
 /// was squeezed 0.25 and more were gained; a scan of a horse gained 0.18 by the loss of places that
 /// were right.
 constexpr double LEAST_OF_LETTING_GO = 2 * SCORE_NOISE;
+
+/// What letting go must gain for maps to be compared without what they squeeze: by so much less of
+/// the score a map is e times less likely to be right. Of those on cut bodies right maps gained 1.2
+/// and more or, as others did, up to 0.7.
+constexpr double GRAVE = 1;
 
 /// Maps of the coarse meshes on the work meshes, through larger and larger bases.
 BentPair sharpened(const Eigen::MatrixXf& coarse_functions,
@@ -142,6 +148,23 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   return fitsBetter(turned) ? turned : map;
 }
 
+/// Lets go of what is misplaced so badly that a map is not known for the right one. A limb that the
+/// other side lacks may be squeezed onto what is next to its stump only on the work meshes, which
+/// are soft; a wrong map that lays stump on stump squeezes nothing.
+void letGoOfGraveMistakes(const SpectralSurface& source,
+                          const SpectralSurface& target,
+                          double softness,
+                          RefinedMap& map) {
+  BentPair loose = map.pair;
+  const std::optional<MapScore> score = letGo(source, target, softness, SCORE_NOISE, loose);
+  if (!score) return;
+  const double before =
+      std::min(map.score.total(), scoreBent(source, target, map.pair, false).total());
+  if (!(score->total() < before - GRAVE)) return;
+  map.pair = std::move(loose);
+  map.score = *score;
+}
+
 /// Annealed, ends of limbs that then do not fit laid anew, and annealed again.
 void annealWithEndsRefitted(const RefinedShape& source,
                             const SpectralSurface& source_work,
@@ -159,6 +182,7 @@ void annealWithEndsRefitted(const RefinedShape& source,
 
 std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const RefinedShape& target,
+                                        bool may_lack,
                                         const std::vector<const Finalist*>& finalists) {
   const WorkSurfaces surfaces(source, target, finalists);
   const SpectralSurface& target_work = surfaces.target();
@@ -192,6 +216,7 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
       settle(work, target_work, share * softness, ROUNDS, map.pair);
     map.score = finalists[map.finalist]->bent ? scoreBent(work, target_work, map.pair, map.laid)
                                               : scoreMaps(work, target_work, map.pair.maps);
+    if (may_lack && !map.laid) letGoOfGraveMistakes(work, target_work, softness, map);
   });
   sortByScore(refined);
   return refined;

@@ -180,12 +180,13 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
 /// The leading finalists, as precise as the work meshes allow; by increasing score.
 std::vector<RefinedMap> refineLeading(const RefinedShape& source,
                                       const RefinedShape& target,
+                                      bool may_lack,
                                       const std::vector<Finalist>& finalists,
                                       const std::vector<int>& distinct) {
   const std::vector<int> leading = leadingOf(finalists, distinct);
   std::vector<const Finalist*> chosen;
   for (int i : leading) chosen.push_back(&finalists[i]);
-  std::vector<RefinedMap> maps = refineFinalists(source, target, chosen);
+  std::vector<RefinedMap> maps = refineFinalists(source, target, may_lack, chosen);
   for (RefinedMap& map : maps) map.finalist = leading[map.finalist];
   return maps;
 }
@@ -243,7 +244,8 @@ void refineAlternatives(const ChosenMap& chosen, RegistrationResult& result) {
     if (static_cast<int>(k) == result.chosen) continue;
     AlternativeSummary& other = result.alternatives[k];
     RefinedMap map =
-        refineFinalists(source.shape, target.shape, {&chosen.finalists[chosen.begun_from[k]]})
+        refineFinalists(
+            source.shape, target.shape, chosen.may_lack, {&chosen.finalists[chosen.begun_from[k]]})
             .front();
     annealMap(source.shape, target.shape, chosen.may_lack, map);
     other.correspondence = correspondenceOf(source.given,
@@ -303,7 +305,7 @@ void chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& c
   // The best of the leading ones wins.
   clock.stage("refinement", 0.14, [&] {
     const std::vector<RefinedMap> refined =
-        refineLeading(source.shape, target.shape, finalists, distinct);
+        refineLeading(source.shape, target.shape, chosen.may_lack, finalists, distinct);
     const RefinedAnswers refined_answers(
         refined, finalists, distinct, target_coarse.mesh, target.shape.work.mesh, gap);
     chosen.best = refined.front();
