@@ -85,19 +85,19 @@ struct CutClub {
 /// cut off, and drawn out again.
 struct SqueezedArm {
   SqueezedArm(const TriangleMesh& whole, double reach)
-      : root(whole.vertices.col(0).maxCoeff() - 2.2 * reach) {}
+      : root_(whole.vertices.col(0).maxCoeff() - 2.2 * reach) {}
 
   Points squeezed(Points places) const { return scaled(std::move(places), 1.2 / 2.2); }
   Points drawnOut(Points places) const { return scaled(std::move(places), 2.2 / 1.2); }
 
-  double root;
-
  private:
   Points scaled(Points places, double ratio) const {
     for (auto p : places.rowwise())
-      if (p.x() > root) p.x() = root + ratio * (p.x() - root);
+      if (p.x() > root_) p.x() = root_ + ratio * (p.x() - root_);
     return places;
   }
+
+  double root_;
 };
 
 inline std::vector<int> nearestOf(const Points& from, const TriangleMesh& to) {

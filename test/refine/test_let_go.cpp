@@ -39,7 +39,7 @@ class LetGo : public testing::Test {
   double meanMiss(const std::vector<int>& map, const std::vector<char>& leave_out) const {
     double sum = 0;
     int count = 0;
-    for (int v : of_whole_) {
+    for (int v : club_.of_whole) {
       if (leave_out[v]) continue;
       sum += (whole_.mesh.vertices.row(v) - cut_.mesh.vertices.row(map[v])).norm();
       ++count;
@@ -62,9 +62,8 @@ class LetGo : public testing::Test {
 
   const SpectralSurface whole_ = test::spectralSurface(test::clubWithHand(), 100);
   const test::CutClub club_{whole_.mesh, CUT};
-  const std::vector<int>& of_whole_ = club_.of_whole;
   const SpectralSurface cut_{
-      club_.mesh, whole_.functions(of_whole_, Eigen::all).cast<double>(), whole_.eigenvalues};
+      club_.mesh, whole_.functions(club_.of_whole, Eigen::all).cast<double>(), whole_.eigenvalues};
   const double softness_ = whole_.eigenvalues[whole_.eigenvalues.size() - 1];
 };
 

@@ -10,7 +10,7 @@
 #include "by_score.h"
 #include <algorithm>
 #include <memory>
-#include <optional>
+#include <stdexcept>
 #include <utility>
 
 namespace posture {
@@ -32,15 +32,15 @@ const std::vector<double> QUICKLY{0.3, 1};
 /// right.
 constexpr double LEAST_GAIN = 0.03;
 
-/// What letting go must gain of the score, which takes places out of the final map. Where a limb
-/// was squeezed 0.25 and more were gained; a scan of a horse gained 0.18 by the loss of places that
-/// were right.
+/// What letting go must gain of the score each time, as it takes places out of the map. Where a
+/// limb was squeezed 0.25 and more were gained; a scan of a horse gained 0.18 by the loss of places
+/// that were right.
 constexpr double LEAST_OF_LETTING_GO = 2 * SCORE_NOISE;
 
-/// What letting go must gain for maps to be compared without what they squeeze: by so much less of
-/// the score a map is e times less likely to be right. Of those on cut bodies right maps gained 1.2
-/// and more or, as others did, up to 0.7.
-constexpr double GRAVE = 1;
+/// What letting go must gain for a map to be judged without what it squeezes. A map whose score is
+/// higher by so much is e times less likely to be right. On cut bodies maps gained either 1.2 and
+/// more or at most 0.7.
+constexpr double LEAST_TO_JUDGE_WITHOUT = 1;
 
 /// Maps of the coarse meshes on the work meshes, through larger and larger bases.
 BentPair sharpened(const Eigen::MatrixXf& coarse_functions,
@@ -148,19 +148,22 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   return fitsBetter(turned) ? turned : map;
 }
 
-/// Lets go of what is misplaced so badly that a map is not known for the right one. A limb that the
-/// other side lacks may be squeezed onto what is next to its stump only on the work meshes, which
-/// are soft; a wrong map that lays stump on stump squeezes nothing.
-void letGoOfGraveMistakes(const SpectralSurface& source,
-                          const SpectralSurface& target,
-                          double softness,
-                          RefinedMap& map) {
-  BentPair loose = map.pair;
-  const std::optional<MapScore> score = letGo(source, target, softness, SCORE_NOISE, loose);
-  if (!score) return;
-  const double before =
-      std::min(map.score.total(), scoreBent(source, target, map.pair, false).total());
-  if (!(score->total() < before - GRAVE)) return;
+/// Lets go of what a map squeezes so badly that its score says nothing of the rest: a hand that the
+/// other side lacks, drawn over the whole arm. Maps that take stumps to stumps have no such place,
+/// right or wrong. What settling alone gains does not count.
+void letGoOfWhatIsSqueezed(const SpectralSurface& source,
+                           const SpectralSurface& target,
+                           double softness,
+                           RefinedMap& map) {
+  BentPair loose = map.pair, settled = map.pair;
+  const auto score = letGo(source, target, softness, LEAST_OF_LETTING_GO, loose);
+  const auto isWorth = [&](double before) {
+    return score && score->total() < before - LEAST_TO_JUDGE_WITHOUT;
+  };
+  if (!isWorth(map.score.total())) return;
+  for (double share : SOFTENINGS.back()) settle(source, target, share * softness, ROUNDS, settled);
+  if (!isWorth(scoreBent(source, target, settled, false).total())) return;
+  if (orientation(source, target, loose.maps) <= LEAST_ORIENTATION) return;
   map.pair = std::move(loose);
   map.score = *score;
 }
@@ -216,7 +219,11 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
       settle(work, target_work, share * softness, ROUNDS, map.pair);
     map.score = finalists[map.finalist]->bent ? scoreBent(work, target_work, map.pair, map.laid)
                                               : scoreMaps(work, target_work, map.pair.maps);
-    if (may_lack && !map.laid) letGoOfGraveMistakes(work, target_work, softness, map);
+    if (!may_lack || map.laid) return;
+    try {
+      letGoOfWhatIsSqueezed(work, target_work, softness, map);
+    } catch (const std::runtime_error&) {  // too torn to be bent on: it stays as it is
+    }
   });
   sortByScore(refined);
   return refined;

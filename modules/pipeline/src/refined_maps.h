@@ -21,8 +21,8 @@ struct RefinedMap {
 };
 
 /// Takes finalists to the work meshes, settled there; by increasing score.
-/// \param may_lack  whether a side may lack a part that the other one has: grave mistakes are then
-///                  let go of.
+/// \param may_lack  whether a side may lack a part that the other one has: what a map squeezes so
+///                  badly that its score says nothing of the rest is then let go of.
 std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const RefinedShape& target,
                                         bool may_lack,
@@ -30,8 +30,8 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
 
 /// Makes a map as exact as the work meshes allow: limbs are turned about themselves where they fit
 /// better so, all is annealed, ends of limbs that do not fit are laid anew, and what is misplaced
-/// is let go of. The score stays what it is compared by. Maps of surfaces that were laid over each
-/// other stay as they are.
+/// is let go of. Limbs are not turned where something was let go of before. The score stays what it
+/// is compared by. Maps of surfaces that were laid over each other stay as they are.
 /// \param may_lack  as for refineFinalists(): if not, nothing is let go of.
 void annealMap(const RefinedShape& source,
                const RefinedShape& target,

@@ -128,11 +128,9 @@ RegistrationResult registerPatched(const GivenShape& source,
 }
 
 /// For surfaces in pieces: joined where the gaps between them are narrow, they may tell more.
-/// \param known  see refinedMethod().
 std::optional<RegistrationResult> registerJoined(const GivenShape& source,
                                                  const GivenShape& target,
                                                  const RegistrationOptions& options,
-                                                 const RegistrationResult& known,
                                                  StageClock& clock) {
   const auto [source_joined, target_joined] = clock.stage("joining", 0, [&] {
     return std::pair(withBridges(source.input, source.clean),
@@ -141,7 +139,7 @@ std::optional<RegistrationResult> registerJoined(const GivenShape& source,
   if (source_joined.pieces == 0 && target_joined.pieces == 0) return {};
   std::optional<RegistrationResult> joined =
       clock.tryAttempt("joined", 0, [&, &a = source_joined, &b = target_joined] {
-        return finished(refinedMethod(a.given(), b.given(), options, clock, &known));
+        return finished(refinedMethod(a.given(), b.given(), options, clock));
       });
   if (joined) leaveOutPatches(source, source_joined, target, target_joined, *joined);
   return joined;
@@ -201,7 +199,7 @@ RegistrationResult registerMeshes(const GivenShape& source,
   std::optional<RegistrationResult> joined;
   if (!looksAlike(main) || mapped < NEARLY_ALL ||
       std::max(shareInPieces(source.clean), shareInPieces(target.clean)) > A_LIMB)
-    joined = registerJoined(source, target, options, main, clock);
+    joined = registerJoined(source, target, options, clock);
   if (joined && isSameAnswer(main, *joined, target.input) && joined->status == Status::REGISTERED &&
       mappedShare(*joined) > mapped + CLEARLY_MORE)
     return std::move(*joined);
