@@ -44,8 +44,9 @@ std::vector<int> foremost(const std::vector<int>& distinct,
 }
 
 std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
-                           const std::vector<int>& distinct) {
-  constexpr std::size_t LEADING = 2, ANSWERS = 4;
+                           const std::vector<int>& distinct,
+                           std::size_t first) {
+  constexpr std::size_t ANSWERS = 4;
   // On coarse meshes the right answer may be worse by so much.
   constexpr double DECISIVE = 1;
   const double best = finalists.front().score.total();
@@ -53,7 +54,7 @@ std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
   const auto add = [&](int i) {
     if (std::find(leading.begin(), leading.end(), i) == leading.end()) leading.push_back(i);
   };
-  for (std::size_t i = 0; i < std::min(LEADING, finalists.size()); ++i) add(static_cast<int>(i));
+  for (std::size_t i = 0; i < std::min(first, finalists.size()); ++i) add(static_cast<int>(i));
   for (std::size_t k = 1; k < std::min(ANSWERS, distinct.size()); ++k)
     if (finalists[distinct[k]].score.total() < best + DECISIVE) add(distinct[k]);
   const auto laid =

@@ -25,10 +25,12 @@ std::vector<int> foremost(const std::vector<int>& distinct,
                           int finalist,
                           std::size_t most);
 
-/// Those worth refining: the first two, the best of other answers whose scores are too near to
+/// Those worth refining: the first ones, the best of other answers whose scores are too near to
 /// decide, and one that was laid if there is any.
+/// \param first  how many in any case: they often are one answer in different states.
 std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
-                           const std::vector<int>& distinct);
+                           const std::vector<int>& distinct,
+                           std::size_t first);
 
 /// Where refinement led different answers.
 class RefinedAnswers {

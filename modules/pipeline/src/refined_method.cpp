@@ -27,6 +27,9 @@ namespace {
 constexpr int POOL = 32, MOST_TIP_MAPS = 8;
 constexpr std::size_t MOST_ALTERNATIVES = 4;
 
+/// So many finalists are refined in any case, and of those that only confirm what is known.
+constexpr std::size_t REFINED = 2, REFINED_TO_CONFIRM = 1;
+
 AlternativeSummary summarize(const Finalist& finalist) {
   AlternativeSummary summary;
   summary.orientation = finalist.orientation;
@@ -104,15 +107,20 @@ bool confirms(const RegistrationResult* known,
       known->correspondence.on_target, on_target, target.given.input, 1 / target.pose.unit);
 }
 
-/// Different maps between the coarse surfaces, by increasing score.
-std::vector<Finalist> findFinalists(const PosedSide& source_side,
-                                    const PosedSide& target_side,
-                                    const SpectralSurface& source,
-                                    const SpectralSurface& target,
-                                    const std::vector<SampleMap>& pool,
-                                    bool may_lack,
-                                    const RegistrationResult* known,
-                                    StageClock& clock) {
+struct Finalists {
+  std::vector<Finalist> maps;  ///< between the coarse surfaces, by increasing score
+  bool confirm_known = false;  ///< see confirms()
+};
+
+/// Different maps between the coarse surfaces.
+Finalists findFinalists(const PosedSide& source_side,
+                        const PosedSide& target_side,
+                        const SpectralSurface& source,
+                        const SpectralSurface& target,
+                        const std::vector<SampleMap>& pool,
+                        bool may_lack,
+                        const RegistrationResult* known,
+                        StageClock& clock) {
   const SampledShape &source_samples = source_side.shape.samples,
                      &target_samples = target_side.shape.samples;
   const auto registered = [&](const std::vector<SampleMap>& maps) {
@@ -120,7 +128,9 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
   };
 
   // Those that keep the outside out, bent onto the target; the least strained first.
-  std::vector<Finalist> finalists = clock.stage("bending", 0.1, [&] {
+  Finalists found;
+  std::vector<Finalist>& finalists = found.maps;
+  finalists = clock.stage("bending", 0.1, [&] {
     std::vector<Finalist> bent = registered(pool);
     exchangeParts(source, target, 2 * target_samples.spacing, bent);
     return bent;
@@ -141,7 +151,8 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
     // With holes closed the map is wanted for what it does not lose.
     const bool as_given =
         source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0;
-    if (as_given && !confirms(known, source_side, target_side, finalists)) {
+    found.confirm_known = confirms(known, source_side, target_side, finalists);
+    if (as_given && !found.confirm_known) {
       clock.stage("growing anew", 0.03, [&] {
         const std::vector<int> different = distinct();
         finalists = withPartsGrownAnew(source, target, different, gap, std::move(finalists));
@@ -174,7 +185,7 @@ std::vector<Finalist> findFinalists(const PosedSide& source_side,
           std::move(finalists),
           layFinalists(source, target, source_side.coarsePlaces(), target_side.coarsePlaces()));
     });
-  return finalists;
+  return found;
 }
 
 /// The leading finalists, as precise as the work meshes allow; by increasing score.
@@ -182,8 +193,9 @@ std::vector<RefinedMap> refineLeading(const RefinedShape& source,
                                       const RefinedShape& target,
                                       bool may_lack,
                                       const std::vector<Finalist>& finalists,
-                                      const std::vector<int>& distinct) {
-  const std::vector<int> leading = leadingOf(finalists, distinct);
+                                      const std::vector<int>& distinct,
+                                      std::size_t first) {
+  const std::vector<int> leading = leadingOf(finalists, distinct, first);
   std::vector<const Finalist*> chosen;
   for (int i : leading) chosen.push_back(&finalists[i]);
   std::vector<RefinedMap> maps = refineFinalists(source, target, may_lack, chosen);
@@ -287,8 +299,10 @@ void chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& c
   chosen.may_lack = mayLack(source, target);
   const SpectralSurface source_coarse = source.shape.coarseSurface(),
                         target_coarse = target.shape.coarseSurface();
-  chosen.finalists = findFinalists(
+  Finalists found = findFinalists(
       source, target, source_coarse, target_coarse, pool, chosen.may_lack, known, clock);
+  const std::size_t first = found.confirm_known ? REFINED_TO_CONFIRM : REFINED;
+  chosen.finalists = std::move(found.maps);
   const std::vector<Finalist>& finalists = chosen.finalists;
   RegistrationResult& result = chosen.result;
   result.source = summarize(source.given, source.shape);
@@ -305,7 +319,7 @@ void chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& c
   // The best of the leading ones wins.
   clock.stage("refinement", 0.14, [&] {
     const std::vector<RefinedMap> refined =
-        refineLeading(source.shape, target.shape, chosen.may_lack, finalists, distinct);
+        refineLeading(source.shape, target.shape, chosen.may_lack, finalists, distinct, first);
     const RefinedAnswers refined_answers(
         refined, finalists, distinct, target_coarse.mesh, target.shape.work.mesh, gap);
     chosen.best = refined.front();
