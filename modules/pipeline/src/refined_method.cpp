@@ -3,10 +3,9 @@
 #include "refined_method.h"
 
 #include <posture/core/parallel.h>
-#include <posture/refine/tip_maps.h>
 
 #include "answers.h"
-#include "changed_finalists.h"
+#include "find_finalists.h"
 #include "loose_pieces.h"
 #include "pieces.h"
 #include "posed_side.h"
@@ -24,7 +23,7 @@
 namespace posture {
 namespace {
 
-constexpr int POOL = 32, MOST_TIP_MAPS = 8;
+constexpr int POOL = 32;
 constexpr std::size_t MOST_ALTERNATIVES = 4;
 
 /// So many finalists are refined in any case, and of those that only confirm what is known.
@@ -84,108 +83,6 @@ bool mayLack(const PosedSide& source, const PosedSide& target) {
     return side.given.patch_vertices > 0 || mayBePiece(side.ordered);
   };
   return open(source) || open(target);
-}
-
-/// Whether an answer found otherwise is believed and the best finalist leads there too, wherever it
-/// leads.
-bool confirms(const RegistrationResult* known,
-              const PosedSide& source,
-              const PosedSide& target,
-              const std::vector<Finalist>& finalists) {
-  if (known == nullptr || !isDecided(*known) || finalists.empty()) return false;
-  const Finalist& best = finalists.front();
-  const std::vector<int> places =
-      coarseToInput(best.maps, source.given, source.shape, target.given, target.shape);
-  std::vector<SurfacePoint> on_target(places.size());
-  for (std::size_t v = 0; v < places.size(); ++v) {
-    const RefinedShape& shape = source.shape;
-    const int coarse = shape.coarse.nearest[shape.work.nearest[source.given.clean.clean_vertex[v]]];
-    if (!best.bent || best.bent->apart_a.empty() || !best.bent->apart_a[coarse])
-      on_target[v].vertex = places[v];
-  }
-  return agreeEverywhere(
-      known->correspondence.on_target, on_target, target.given.input, 1 / target.pose.unit);
-}
-
-struct Finalists {
-  std::vector<Finalist> maps;  ///< between the coarse surfaces, by increasing score
-  bool confirm_known = false;  ///< see confirms()
-};
-
-/// Different maps between the coarse surfaces.
-Finalists findFinalists(const PosedSide& source_side,
-                        const PosedSide& target_side,
-                        const SpectralSurface& source,
-                        const SpectralSurface& target,
-                        const std::vector<SampleMap>& pool,
-                        bool may_lack,
-                        const RegistrationResult* known,
-                        StageClock& clock) {
-  const SampledShape &source_samples = source_side.shape.samples,
-                     &target_samples = target_side.shape.samples;
-  const auto registered = [&](const std::vector<SampleMap>& maps) {
-    return registerFinalists(source, target, source_samples, target_samples, maps);
-  };
-
-  // Those that keep the outside out, bent onto the target; the least strained first.
-  Finalists found;
-  std::vector<Finalist>& finalists = found.maps;
-  finalists = clock.stage("bending", 0.1, [&] {
-    std::vector<Finalist> bent = registered(pool);
-    exchangeParts(source, target, 2 * target_samples.spacing, bent);
-    return bent;
-  });
-  const auto convince = [&] {
-    return !finalists.empty() && convinces(finalists.front().score.total());
-  };
-
-  const double gap = 2 * target_samples.spacing;
-  const auto distinct = [&] { return distinctFinalists(finalists, target.mesh, gap); };
-  // A part that the other side lacks is squeezed onto what there is, and leads what is next to it
-  // astray.
-  if (may_lack) {
-    clock.stage("letting go", 0.03, [&] {
-      const std::vector<int> different = distinct();
-      finalists = withPartsLetGo(source, target, different, std::move(finalists));
-    });
-    // With holes closed the map is wanted for what it does not lose.
-    const bool as_given =
-        source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0;
-    found.confirm_known = confirms(known, source_side, target_side, finalists);
-    if (as_given && !found.confirm_known) {
-      clock.stage("growing anew", 0.03, [&] {
-        const std::vector<int> different = distinct();
-        finalists = withPartsGrownAnew(source, target, different, gap, std::move(finalists));
-      });
-      clock.stage("turning", 0.03, [&] {
-        const std::vector<int> different = distinct();
-        finalists = withTurned(source,
-                               target,
-                               turnsOntoItself(source, source_samples),
-                               turnsOntoItself(target, target_samples),
-                               different,
-                               gap,
-                               std::move(finalists));
-      });
-    }
-  }
-
-  // Where bodies stretch, the right candidate is not among those that change distances least.
-  if (!convince())
-    clock.stage("tips", 0.03, [&] {
-      finalists = joined(std::move(finalists),
-                         registered(tipMaps(source_samples, target_samples, MOST_TIP_MAPS)));
-      bendFurther(source, target, finalists);
-    });
-
-  // Spectra and scale go astray where much is missing; surfaces laid over each other do not.
-  if (!convince())
-    clock.stage("laying over", 0.03, [&] {
-      finalists = joined(
-          std::move(finalists),
-          layFinalists(source, target, source_side.coarsePlaces(), target_side.coarsePlaces()));
-    });
-  return found;
 }
 
 /// The leading finalists, as precise as the work meshes allow; by increasing score.

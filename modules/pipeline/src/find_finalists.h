@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/pipeline/register_shapes.h>
+
+#include "finalists.h"
+#include "posed_side.h"
+#include "stage_clock.h"
+#include <vector>
+
+namespace posture {
+
+struct Finalists {
+  std::vector<Finalist> maps;  ///< between the coarse surfaces, by increasing score
+  bool confirm_known = false;  ///< the best one leads everywhere to where a trusted answer does
+};
+
+/// The stages from bending to laying over: different maps between the coarse surfaces.
+/// \param source_side, target_side  at one scale.
+/// \param source, target  their coarse surfaces.
+/// \param pool  sample maps, by increasing distortion.
+/// \param may_lack  whether a side may lack a part that the other one has.
+/// \param known  an answer found otherwise, in the numbering of both inputs; null: none.
+/// \throws std::runtime_error  a surface cannot be bent (Arap)
+Finalists findFinalists(const PosedSide& source_side,
+                        const PosedSide& target_side,
+                        const SpectralSurface& source,
+                        const SpectralSurface& target,
+                        const std::vector<SampleMap>& pool,
+                        bool may_lack,
+                        const RegistrationResult* known,
+                        StageClock& clock);
+
+}  // namespace posture
