@@ -46,16 +46,18 @@ class AnswersTest : public testing::Test {
   }
 };
 
-TEST_F(AnswersTest, theOneThatWinsIsAmongTheForemost) {
-  std::vector<Finalist> finalists;  // two of them lead to the same place, or nearly
+TEST_F(AnswersTest, finalistsThatLeadToNearlyTheSamePlaceAreOne) {
+  std::vector<Finalist> finalists;
   for (int column : {0, 4, 5, 8, 12, 16, 17, 20}) finalists.push_back(finalist(column));
-  const Answers distinct = distinctFinalists(finalists, strip_, 0.07);
-  ASSERT_EQ(distinct, (Answers{0, 1, 3, 4, 5, 7}));
-  EXPECT_EQ(foremost(distinct, finalists, strip_, 2, 4), (Answers{0, 1, 3, 4}));
-  EXPECT_EQ(foremost(distinct, finalists, strip_, 4, 4), (Answers{0, 1, 3, 4}));
-  EXPECT_EQ(foremost(distinct, finalists, strip_, 6, 4), (Answers{0, 1, 3, 5}));
-  EXPECT_EQ(foremost(distinct, finalists, strip_, 7, 4), (Answers{0, 1, 3, 7}));
-  EXPECT_EQ(foremost(distinct, finalists, strip_, 7, 9), distinct);
+  EXPECT_EQ(distinctFinalists(finalists, strip_, 0.07), (Answers{0, 1, 3, 4, 5, 7}));
+}
+
+TEST_F(AnswersTest, theOneThatWinsIsAmongTheForemost) {
+  const Answers distinct{0, 1, 3, 4, 5, 7};
+  EXPECT_EQ(foremost(distinct, 1, 4), (Answers{0, 1, 3, 4}));
+  EXPECT_EQ(foremost(distinct, 4, 4), (Answers{0, 1, 3, 4}));
+  EXPECT_EQ(foremost(distinct, 7, 4), (Answers{0, 1, 3, 7}));
+  EXPECT_EQ(foremost(distinct, 7, 9), distinct);
 }
 
 TEST_F(AnswersTest, anotherAnswerIsRefinedWhereScoresDoNotDecide) {
@@ -90,10 +92,21 @@ TEST_F(AnswersTest, whatRefinementLeadsToTheBestIsNoAnswerOfItsOwn) {
                                      refined(0, 17, -10),
                                      refined(0, 16, -9.9)};
   const RefinedAnswers answers(maps, finalists, {0, 1, 2, 3}, strip_, strip_, 0.07);
-  EXPECT_EQ(answers.remaining(), (Answers{1, 2, 3}));
+  // Those two are one, known by the one that was better before.
+  EXPECT_EQ(answers.chosen(), 0);
+  EXPECT_EQ(answers.remaining(), (Answers{0, 1, 3}));
+  EXPECT_EQ(answers.of(0), &maps[0]);
   EXPECT_EQ(answers.of(1), &maps[2]);
-  EXPECT_EQ(answers.of(2), &maps[0]);
   EXPECT_EQ(answers.of(3), nullptr);
+}
+
+TEST_F(AnswersTest, anAnswerThatWasBetterBeforeAndLedElsewhereTooIsNotTheChosenOne) {
+  const std::vector<Finalist> finalists{finalist(8, -9), finalist(16, -8.8)};
+  const std::vector<RefinedMap> maps{
+      refined(1, 16, -11), refined(0, 15, -10.9), refined(0, 8, -10.8)};
+  const RefinedAnswers answers(maps, finalists, {0, 1}, strip_, strip_, 0.07);
+  EXPECT_EQ(answers.chosen(), 1);
+  EXPECT_EQ(answers.remaining(), (Answers{0, 1}));
 }
 
 TEST_F(AnswersTest, aMapThatBeganBetweenTwoAnswersCountsForTheNearerOne) {

@@ -26,20 +26,11 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
   return distinct;
 }
 
-std::vector<int> foremost(const std::vector<int>& distinct,
-                          const std::vector<Finalist>& finalists,
-                          const TriangleMesh& target,
-                          int finalist,
-                          std::size_t most) {
-  const auto gap = [&](int i) {
-    return gapBetween(target, finalists[finalist].maps, finalists[i].maps);
-  };
-  const auto own = std::min_element(
-      distinct.begin(), distinct.end(), [&](int i, int j) { return gap(i) < gap(j); });
+std::vector<int> foremost(const std::vector<int>& answers, int chosen, std::size_t most) {
   std::vector<int> first(
-      distinct.begin(),
-      distinct.begin() + static_cast<std::ptrdiff_t>(std::min(most, distinct.size())));
-  if (own - distinct.begin() >= static_cast<std::ptrdiff_t>(first.size())) first.back() = *own;
+      answers.begin(),
+      answers.begin() + static_cast<std::ptrdiff_t>(std::min(most, answers.size())));
+  if (std::find(first.begin(), first.end(), chosen) == first.end()) first.back() = chosen;
   return first;
 }
 
@@ -78,16 +69,27 @@ RefinedAnswers::RefinedAnswers(const std::vector<RefinedMap>& refined,
         distinct.begin(), distinct.end(), [&](int i, int j) { return far(i) < far(j); }));
     like_best_.push_back(gapBetween(target, map.pair.maps, refined.front().pair.maps) <= gap);
   }
-  const auto isGone = [&](int answer) {
-    const auto is = [&](int other) { return other == answer; };
-    return answer != began_as_.front() && of(answer) == nullptr &&
-           std::any_of(began_as_.begin(), began_as_.end(), is);
-  };
-  std::remove_copy_if(distinct.begin(), distinct.end(), std::back_inserter(remaining_), isGone);
+  chosen_ = *std::find_if(distinct.begin(), distinct.end(), [&](int answer) {
+    return answer == began_as_.front() || leadsToBest(answer);
+  });
+  std::remove_copy_if(
+      distinct.begin(), distinct.end(), std::back_inserter(remaining_), [&](int answer) {
+        return answer != chosen_ && leadsToBest(answer);
+      });
+}
+
+bool RefinedAnswers::leadsToBest(int answer) const {
+  bool any = false;
+  for (std::size_t i = 0; i < refined_.size(); ++i) {
+    if (began_as_[i] != answer) continue;
+    if (!like_best_[i]) return false;
+    any = true;
+  }
+  return any;
 }
 
 const RefinedMap* RefinedAnswers::of(int answer) const {
-  if (answer == began_as_.front()) return &refined_.front();
+  if (answer == chosen_) return &refined_.front();
   for (std::size_t i = 0; i < refined_.size(); ++i)
     if (began_as_[i] == answer && !like_best_[i]) return &refined_[i];
   return nullptr;

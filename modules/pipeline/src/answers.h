@@ -18,12 +18,8 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
                                    const TriangleMesh& target,
                                    double gap);
 
-/// The first `most` of different finalists, but always with the one that a finalist goes with.
-std::vector<int> foremost(const std::vector<int>& distinct,
-                          const std::vector<Finalist>& finalists,
-                          const TriangleMesh& target,
-                          int finalist,
-                          std::size_t most);
+/// The first `most` answers, but always the chosen one. \pre  it is one of them, and `most` > 0.
+std::vector<int> foremost(const std::vector<int>& answers, int chosen, std::size_t most);
 
 /// Those worth refining: the first ones, the best of other answers whose scores are too near to
 /// decide, and one that was laid if there is any.
@@ -46,15 +42,23 @@ class RefinedAnswers {
                  const TriangleMesh& target,
                  double gap);
 
-  /// The different answers without those that refinement led to the best map from elsewhere.
+  /// The answer of the best map: of those that refinement led there alone, or that it began as, the
+  /// one that scored best before.
+  int chosen() const { return chosen_; }
+
+  /// The different answers without the others that refinement led to the best map alone.
   const std::vector<int>& remaining() const { return remaining_; }
 
   /// The best refined map that an answer became; null: it was not refined. Only maps that differ
-  /// from the best one, but for the answer that one began as.
+  /// from the best one, but for the chosen answer.
   const RefinedMap* of(int answer) const;
 
  private:
+  /// Whether every map refined from an answer is like the best one, and there is one.
+  bool leadsToBest(int answer) const;
+
   const std::vector<RefinedMap>& refined_;
+  int chosen_ = 0;
   std::vector<int> remaining_;
   std::vector<int> began_as_;    // an answer for each refined map
   std::vector<char> like_best_;  // each refined map

@@ -49,14 +49,6 @@ ShapeSummary summarize(const GivenShape& given, const RefinedShape& shape) {
   return summary;
 }
 
-/// The answer that the final map is a refinement of.
-int nearestAnswer(const std::vector<AlternativeSummary>& alternatives) {
-  const auto nearest = std::min_element(alternatives.begin(),
-                                        alternatives.end(),
-                                        [](const auto& a, const auto& b) { return a.gap < b.gap; });
-  return static_cast<int>(nearest - alternatives.begin());
-}
-
 /// The same for a side, its parts and with its holes closed, so that scores of all can be compared,
 /// and however often the file has a vertex.
 int vertexCount(const GivenShape& given, const RefinedShape& shape) {
@@ -220,11 +212,8 @@ void chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& c
     const RefinedAnswers refined_answers(
         refined, finalists, distinct, target_coarse.mesh, target.shape.work.mesh, gap);
     chosen.best = refined.front();
-    const std::vector<int> answers = foremost(refined_answers.remaining(),
-                                              finalists,
-                                              target_coarse.mesh,
-                                              chosen.best.finalist,
-                                              MOST_ALTERNATIVES);
+    const std::vector<int> answers =
+        foremost(refined_answers.remaining(), refined_answers.chosen(), MOST_ALTERNATIVES);
     source.pose.unit *= chosen.best.scale;  // its shape stays: other answers have other scales
     result.scale = source.pose.unit / target.pose.unit;
     result.alternatives = summarizeAnswers(source,
@@ -238,9 +227,9 @@ void chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& c
       const RefinedMap* map = refined_answers.of(answer);
       chosen.begun_from.push_back(map != nullptr ? map->finalist : answer);
     }
-    result.chosen = nearestAnswer(result.alternatives);
+    const auto at = std::find(answers.begin(), answers.end(), refined_answers.chosen());
+    result.chosen = static_cast<int>(at - answers.begin());
     result.score = chosen.best.score.total();
-    result.alternatives[result.chosen].refined_score = result.score;
     result.trust = trustIn(result);
   });
 }
