@@ -97,14 +97,13 @@ std::vector<AlternativeSummary> summarizeAnswers(const PosedSide& source,
                                                  const PosedSide& target,
                                                  const TriangleMesh& coarse_target,
                                                  const std::vector<Finalist>& finalists,
-                                                 const Finalist& winner,
                                                  const std::vector<int>& answers,
                                                  const RefinedAnswers& refined) {
   std::vector<AlternativeSummary> summaries;
   for (int i : answers) {
     AlternativeSummary summary = summarize(finalists[i]);
     if (const RefinedMap* map = refined.of(i)) summary.refined_score = map->score.total();
-    summary.gap = gapBetween(coarse_target, winner.maps, finalists[i].maps);
+    summary.gap = gapBetween(coarse_target, finalists[refined.chosen()].maps, finalists[i].maps);
     summary.target_vertex =
         coarseToInput(finalists[i].maps, source.given, source.shape, target.given, target.shape);
     summaries.push_back(std::move(summary));
@@ -216,13 +215,8 @@ void chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& c
         foremost(refined_answers.remaining(), refined_answers.chosen(), MOST_ALTERNATIVES);
     source.pose.unit *= chosen.best.scale;  // its shape stays: other answers have other scales
     result.scale = source.pose.unit / target.pose.unit;
-    result.alternatives = summarizeAnswers(source,
-                                           target,
-                                           target_coarse.mesh,
-                                           finalists,
-                                           finalists[chosen.best.finalist],
-                                           answers,
-                                           refined_answers);
+    result.alternatives =
+        summarizeAnswers(source, target, target_coarse.mesh, finalists, answers, refined_answers);
     for (int answer : answers) {
       const RefinedMap* map = refined_answers.of(answer);
       chosen.begun_from.push_back(map != nullptr ? map->finalist : answer);
