@@ -70,9 +70,11 @@ Finalists findFinalists(const PosedSide& source_side,
 
   const double gap = 2 * target_samples.spacing;
   const auto distinct = [&] { return distinctFinalists(finalists, target.mesh, gap); };
+  const auto confirm = [&] { return confirms(known, source_side, target_side, finalists); };
+  found.confirm_known = confirm();
   // A part that the other side lacks is squeezed onto what there is, and leads what is next to it
   // astray.
-  if (may_lack) {
+  if (may_lack && !found.confirm_known) {
     clock.stage("letting go", 0.03, [&] {
       const std::vector<int> different = distinct();
       finalists = withPartsLetGo(source, target, different, std::move(finalists));
@@ -80,7 +82,7 @@ Finalists findFinalists(const PosedSide& source_side,
     // With holes closed the map is wanted for what it does not lose.
     const bool as_given =
         source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0;
-    found.confirm_known = confirms(known, source_side, target_side, finalists);
+    found.confirm_known = confirm();
     if (as_given && !found.confirm_known) {
       clock.stage("growing anew", 0.03, [&] {
         const std::vector<int> different = distinct();
