@@ -77,7 +77,7 @@ std::optional<MapScore> letGo(const SpectralSurface& a,
                               double softness,
                               double least_gain,
                               BentPair& pair) {
-  double least = scoreBent(a, b, pair, false).total();
+  std::optional<double> least;  // what is misplaced nowhere needs no score
   std::optional<MapScore> better;
   for (int time = 0; time < TIMES; ++time) {
     std::vector<char> of_a = misplaced(a, b, pair.maps.forward),
@@ -85,9 +85,10 @@ std::optional<MapScore> letGo(const SpectralSurface& a,
     const bool more_of_a = addApart(of_a, pair.apart_a), more_of_b = addApart(of_b, pair.apart_b);
     if (!more_of_a && !more_of_b) break;
     if (areaShare(a, of_a) > MOST_LET_GO || areaShare(b, of_b) > MOST_LET_GO) break;
+    if (!least) least = scoreBent(a, b, pair, false).total();
     BentPair loose = laidAnew(a, b, of_a, of_b, softness, pair);
     const MapScore score = scoreBent(a, b, loose, false);
-    if (!(score.total() < least - least_gain)) break;
+    if (!(score.total() < *least - least_gain)) break;
     least = score.total();
     better = score;
     pair = std::move(loose);
