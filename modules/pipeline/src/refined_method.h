@@ -13,7 +13,7 @@ namespace posture {
 /// takes the map to a fraction of an edge and completes the source. docs/pipeline.md has the
 /// stages. The `input` of both sides and the clock outlive the attempt; `clean` need not.
 /// \param known  an answer found otherwise, in the numbering of both inputs; null: none. Where it
-/// is trusted and the best finalist agrees with it, none is turned or grown anew, and of finalists
+/// is trusted and the best finalist agrees with it, none is changed any more, and of finalists
 /// that are the same answer that one alone is refined.
 Attempt refinedMethod(const GivenShape& source,
                       const GivenShape& target,
