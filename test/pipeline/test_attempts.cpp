@@ -120,8 +120,8 @@ TEST(Attempts, areChangedBeforeAndAfterTheyAreFinished) {
 }
 
 TEST(Attempts, aMapThatClosedHolesLedAstrayScoresFarWorse) {
-  EXPECT_TRUE(patchesLeadAstray(resultWith(-12, 0.8, 1), resultWith(-10.5, 0.4, 2)));
-  EXPECT_FALSE(patchesLeadAstray(resultWith(-12, 0.8, 1), resultWith(-11.5, 0.4, 2)));
+  EXPECT_TRUE(patchesLeadAstray(-12, -10.5));
+  EXPECT_FALSE(patchesLeadAstray(-12, -11.5));
 }
 
 TEST(Attempts, mapsThatDifferInAHandDoNotAgreeEverywhere) {

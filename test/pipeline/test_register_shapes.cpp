@@ -232,7 +232,7 @@ TEST(RegisterShapes, holesAreClosedForTheSearchAndHaveNoRow) {
   EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
   EXPECT_GE(result.source.patched_holes, 4);
   EXPECT_GE(result.target.patched_holes, 4);
-  // The surfaces as they are come second and lead to the same answer, so it is not changed.
+  // The surfaces as they are come second and lead to the same answer: there they end.
   const auto begins = [&](const std::string& attempt, const std::string& stage) {
     return std::find_if(result.timings.begin(), result.timings.end(), [&](const StageTiming& t) {
       return t.attempt == attempt && t.stage == stage;
@@ -243,6 +243,8 @@ TEST(RegisterShapes, holesAreClosedForTheSearchAndHaveNoRow) {
   EXPECT_EQ(begins("", "letting go"), result.timings.end());
   EXPECT_EQ(begins("", "turning"), result.timings.end());
   EXPECT_EQ(begins("", "growing anew"), result.timings.end());
+  EXPECT_NE(begins("", "bending"), result.timings.end());
+  EXPECT_EQ(begins("", "refinement"), result.timings.end());
   EXPECT_EQ(result.source.vertices, source.mesh.vertices.rows());
   EXPECT_EQ(result.target.faces, target.mesh.faces.rows());
   EXPECT_GT(result.source.boundary_edges, 0);

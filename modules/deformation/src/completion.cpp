@@ -36,7 +36,7 @@ constexpr double FARTHEST = 2;
 
 constexpr int COARSE = 5000;  // vertices
 /// How often places are looked for; fewer after a coarse level.
-constexpr int FULL_ROUNDS = 6, FINE_ROUNDS = 4;
+constexpr int FULL_ROUNDS = 6, FINE_ROUNDS = 2;
 /// Of the solver after each.
 constexpr int STEPS = 2;
 /// Of the trust region, which is kept from round to round. The solver's own start is the largest,

@@ -115,8 +115,8 @@ bool agreeEverywhere(const std::vector<SurfacePoint>& x,
   return both > 0 && 2 * both >= either && elsewhere < A_PART * both;
 }
 
-bool patchesLeadAstray(const RegistrationResult& as_given, const RegistrationResult& patched) {
-  return patched.score > as_given.score + COST_OF_PATCHES;
+bool patchesLeadAstray(double score_as_given, double score_patched) {
+  return score_patched > score_as_given + COST_OF_PATCHES;
 }
 
 RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map) {

@@ -38,7 +38,7 @@ bool agreeEverywhere(const std::vector<SurfacePoint>& x,
                      double size);
 
 /// Whether patches lead an answer astray that was found without them too: it then scores far worse.
-bool patchesLeadAstray(const RegistrationResult& as_given, const RegistrationResult& patched);
+bool patchesLeadAstray(double score_as_given, double score_patched);
 
 /// One answer found twice: the better map, with the verdict that trusts it more. The map found with
 /// closed holes drifts less, unless patches led it astray; but patches differ from pose to pose and

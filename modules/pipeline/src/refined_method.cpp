@@ -29,6 +29,9 @@ constexpr std::size_t MOST_ALTERNATIVES = 4;
 /// So many finalists are refined in any case, and of those that only confirm what is known.
 constexpr std::size_t REFINED = 2, REFINED_TO_CONFIRM = 1;
 
+/// A known answer that is trusted to so much gains nothing by being found again.
+constexpr double ALL_BUT_CERTAIN = 0.9;
+
 AlternativeSummary summarize(const Finalist& finalist) {
   AlternativeSummary summary;
   summary.orientation = finalist.orientation;
@@ -75,6 +78,12 @@ bool mayLack(const PosedSide& source, const PosedSide& target) {
     return side.given.patch_vertices > 0 || mayBePiece(side.ordered);
   };
   return open(source) || open(target);
+}
+
+/// Whether an answer that the best finalist confirms gains nothing by its refinement.
+bool isAllToSay(const RegistrationResult& known, const Finalist& best) {
+  const double known_score = known.alternatives[known.chosen].score;  // unrefined, too
+  return known.trust >= ALL_BUT_CERTAIN && !patchesLeadAstray(best.score.total(), known_score);
 }
 
 /// The leading finalists, as precise as the work meshes allow; by increasing score.
@@ -158,7 +167,8 @@ void refineAlternatives(const ChosenMap& chosen, RegistrationResult& result) {
 }
 
 /// Chooses a map: the way from the surfaces to the best of the refined maps.
-void chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& clock) {
+/// \return whether there was something to choose, see refinedMethodBeside().
+bool chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& clock) {
   PosedSide &source = chosen.source, &target = chosen.target;
   clock.stage("reduction", 0.03, [&] { reduceSides(source, target); });
 
@@ -189,6 +199,7 @@ void chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& c
                         target_coarse = target.shape.coarseSurface();
   Finalists found = findFinalists(
       source, target, source_coarse, target_coarse, pool, chosen.may_lack, known, clock);
+  if (found.confirm_known && isAllToSay(*known, found.maps.front())) return false;
   const std::size_t first = found.confirm_known ? REFINED_TO_CONFIRM : REFINED;
   chosen.finalists = std::move(found.maps);
   const std::vector<Finalist>& finalists = chosen.finalists;
@@ -198,7 +209,7 @@ void chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& c
   if (finalists.empty()) {
     result.scale = source.pose.unit / target.pose.unit;
     giveVerdictWithoutFinalist(source.given, result);
-    return;
+    return true;
   }
   const double gap = 2 * target.shape.samples.spacing;
   const std::vector<int> distinct = distinctFinalists(finalists, target_coarse.mesh, gap);
@@ -226,6 +237,7 @@ void chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& c
     result.score = chosen.best.score.total();
     result.trust = trustIn(result);
   });
+  return true;
 }
 
 /// Takes the map chosen to all vertices, and the whole source with it.
@@ -264,13 +276,13 @@ RegistrationResult finishMap(const ChosenMap& chosen,
 
 }  // namespace
 
-Attempt refinedMethod(const GivenShape& source,
-                      const GivenShape& target,
-                      const RegistrationOptions& options,
-                      StageClock& clock,
-                      const RegistrationResult* known) {
+std::optional<Attempt> refinedMethodBeside(const RegistrationResult* known,
+                                           const GivenShape& source,
+                                           const GivenShape& target,
+                                           const RegistrationOptions& options,
+                                           StageClock& clock) {
   const auto chosen = std::make_shared<ChosenMap>(source, target);
-  chooseMap(*chosen, known, clock);
+  if (!chooseMap(*chosen, known, clock)) return {};
   Attempt attempt{chosen->result, {}};
   if (chosen->result.chosen < 0) return attempt;
   if (!options.refine_alternatives) chosen->finalists = {};
@@ -286,6 +298,13 @@ Attempt refinedMethod(const GivenShape& source,
     return clock.within(label, [&] { return finishMap(*chosen, options, clock); });
   };
   return attempt;
+}
+
+Attempt refinedMethod(const GivenShape& source,
+                      const GivenShape& target,
+                      const RegistrationOptions& options,
+                      StageClock& clock) {
+  return *refinedMethodBeside(nullptr, source, target, options, clock);
 }
 
 }  // namespace posture

@@ -48,34 +48,36 @@ double shareInPieces(const CleanMesh& clean) {
 
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted:
 /// the better map tells.
-/// \param known  see refinedMethod().
-Attempt registerWhole(const GivenShape& source,
-                      const GivenShape& target,
-                      const RegistrationOptions& options,
-                      double portion,
-                      const RegistrationResult* known,
-                      StageClock& clock) {
+/// \param known, return  see refinedMethodBeside().
+std::optional<Attempt> registerWhole(const GivenShape& source,
+                                     const GivenShape& target,
+                                     const RegistrationOptions& options,
+                                     double portion,
+                                     const RegistrationResult* known,
+                                     StageClock& clock) {
   const auto [source_parted, target_parted] = clock.stage("contacts", 0, [&] {
     return std::pair(partedSurface(source.input, source.clean),
                      partedSurface(target.input, target.clean));
   });
   const bool parted = source_parted.contacts > 0 || target_parted.contacts > 0;
-  Attempt whole = clock.within({"", parted ? portion / 2 : portion}, [&] {
-    return refinedMethod(source, target, options, clock, known);
+  std::optional<Attempt> whole = clock.within({"", parted ? portion / 2 : portion}, [&] {
+    return refinedMethodBeside(known, source, target, options, clock);
   });
-  if (!parted) return whole;
-  std::optional<Attempt> other = clock.tryAttempt(
+  if (!parted || !whole) return whole;
+  std::optional<std::optional<Attempt>> other = clock.tryAttempt(
       "parted", portion / 2, [&, &a = source_parted.clean, &b = target_parted.clean] {
-        return refinedMethod({source.input, a, source.patch_vertices},
-                             {target.input, b, target.patch_vertices},
-                             options,
-                             clock,
-                             known);
+        return refinedMethodBeside(known,
+                                   {source.input, a, source.patch_vertices},
+                                   {target.input, b, target.patch_vertices},
+                                   options,
+                                   clock);
       });
-  if (!other || other->found.score > whole.found.score - SCORE_NOISE) return whole;
-  Attempt cut = withChange(std::move(*other),
-                           [of_source = whole.found.source,
-                            of_target = whole.found.target,
+  if (!other) return whole;
+  if (!*other) return {};
+  if ((*other)->found.score > whole->found.score - SCORE_NOISE) return whole;
+  Attempt cut = withChange(std::move(**other),
+                           [of_source = whole->found.source,
+                            of_target = whole->found.target,
                             a = source_parted.contacts,
                             b = target_parted.contacts](RegistrationResult& result) {
                              result.source = withMeasured(of_source, result.source);
@@ -83,14 +85,37 @@ Attempt registerWhole(const GivenShape& source,
                              result.source.parted_contacts = a;
                              result.target.parted_contacts = b;
                            });
-  cut.finish = [finish = std::move(cut.finish), whole = std::move(whole), &clock] {
+  cut.finish = [finish = std::move(cut.finish), whole = std::move(*whole), &clock] {
     std::optional<RegistrationResult> result = clock.tryTo(finish);
     return result ? std::move(*result) : finished(whole);
   };
   return cut;
 }
 
-/// The same, and where there are holes to speak of first with those closed that may be.
+/// Of the attempts with holes as they are and closed: one answer or two.
+RegistrationResult bestOfBoth(Attempt as_given,
+                              Attempt closed,
+                              const TriangleMesh& target,
+                              const RegistrationOptions& options,
+                              StageClock& clock) {
+  if (as_given.found.chosen < 0 || closed.found.chosen < 0 ||
+      !isSameAnswer(as_given.found, closed.found, target)) {
+    std::vector<Attempt> attempts;
+    attempts.push_back(std::move(as_given));
+    attempts.push_back(std::move(closed));
+    return bestAttempt(std::move(attempts), target, options, clock);
+  }
+  const bool astray = patchesLeadAstray(as_given.found.score, closed.found.score);
+  Attempt &better = astray ? as_given : closed, &other = astray ? closed : as_given;
+  std::optional<RegistrationResult> map = clock.tryTo([&] { return finished(std::move(better)); });
+  if (!map) return finished(std::move(other));
+  if (options.refine_alternatives)
+    if (auto whole = clock.tryTo([&] { return finished(other); })) other.found = *whole;
+  return withMapOf(std::move(other.found), std::move(*map));
+}
+
+/// Registers the shapes as they are and, where there are holes to speak of, first with those closed
+/// that may be.
 RegistrationResult registerPatched(const GivenShape& source,
                                    const GivenShape& target,
                                    const RegistrationOptions& options,
@@ -100,31 +125,23 @@ RegistrationResult registerPatched(const GivenShape& source,
     return std::pair(withPatches(source.input, source.clean),
                      withPatches(target.input, target.clean));
   });
-  if (std::max(source_patched.rims, target_patched.rims) <= MANY_RIMS)
-    return finished(registerWhole(source, target, options, 1, nullptr, clock));
-  std::optional<Attempt> closed =
-      clock.tryAttempt("patched", 0.5, [&, &a = source_patched, &b = target_patched] {
-        return withChange(
-            refinedMethod(a.given(), b.given(), options, clock),
-            [&](RegistrationResult& result) { leaveOutPatches(source, a, target, b, result); });
-      });
-  Attempt as_given =
-      registerWhole(source, target, options, 0.5, closed ? &closed->found : nullptr, clock);
-  if (!closed) return finished(std::move(as_given));
-  if (as_given.found.chosen < 0 || closed->found.chosen < 0 ||
-      !isSameAnswer(as_given.found, closed->found, target.input)) {
-    std::vector<Attempt> attempts;
-    attempts.push_back(std::move(as_given));
-    attempts.push_back(std::move(*closed));
-    return bestAttempt(std::move(attempts), target.input, options, clock);
-  }
-  const bool astray = patchesLeadAstray(as_given.found, closed->found);
-  Attempt &better = astray ? as_given : *closed, &other = astray ? *closed : as_given;
-  std::optional<RegistrationResult> map = clock.tryTo([&] { return finished(std::move(better)); });
-  if (!map) return finished(std::move(other));
-  if (options.refine_alternatives)
-    if (auto whole = clock.tryTo([&] { return finished(other); })) other.found = *whole;
-  return withMapOf(std::move(other.found), std::move(*map));
+  const bool many = std::max(source_patched.rims, target_patched.rims) > MANY_RIMS;
+  std::optional<Attempt> closed;
+  if (many)
+    closed = clock.tryAttempt("patched", 0.5, [&, &a = source_patched, &b = target_patched] {
+      return withChange(
+          refinedMethod(a.given(), b.given(), options, clock),
+          [&](RegistrationResult& result) { leaveOutPatches(source, a, target, b, result); });
+    });
+  const auto asGiven = [&](const RegistrationResult* known) {
+    return registerWhole(source, target, options, many ? 0.5 : 1, known, clock);
+  };
+  if (!closed) return finished(*asGiven(nullptr));
+  if (std::optional<Attempt> as_given = asGiven(&closed->found))
+    return bestOfBoth(std::move(*as_given), std::move(*closed), target.input, options, clock);
+  std::optional<RegistrationResult> known =
+      clock.tryTo([&] { return finished(std::move(*closed)); });
+  return known ? std::move(*known) : finished(*asGiven(nullptr));
 }
 
 /// For surfaces in pieces: joined where the gaps between them are narrow, they may tell more.
