@@ -50,6 +50,13 @@ const Bodies& bodies() {
   return once;
 }
 
+/// For what is the same by either method, in a fraction of the time.
+RegistrationOptions published() {
+  RegistrationOptions options;
+  options.method = Method::PAPER;
+  return options;
+}
+
 double squaredDistance(const pcl::Correspondence& match) {
   return ((*bodies().source)[match.index_query].getVector3fMap() -
           (*bodies().target)[match.index_match].getVector3fMap())
@@ -209,6 +216,7 @@ TEST(IsometricCorrespondenceEstimation, takesIndicesOfBothSides) {
   const auto source_indices = front(b.source_body), target_indices = front(b.target_body);
   estimation.setIndicesSource(source_indices);
   estimation.setIndicesTarget(target_indices);
+  estimation.setOptions(published());
   pcl::Correspondences matches;
   estimation.determineCorrespondences(matches);
   ASSERT_FALSE(matches.empty()) << estimation.getMessage();
@@ -240,6 +248,7 @@ TEST(IsometricCorrespondenceEstimation, normalsSayWhatIsOutside) {
   Estimation estimation;
   estimation.setInputSource(test::toCloud<PointXYZ>(flat.vertices));
   estimation.setInputTarget(test::toCloud<PointXYZ>(bent.vertices));
+  estimation.setOptions(published());
   EXPECT_FALSE(estimation.requiresSourceNormals());
   EXPECT_FALSE(estimation.requiresTargetNormals());
   for (const double side : {1, -1}) {
