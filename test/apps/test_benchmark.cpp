@@ -138,6 +138,10 @@ TEST_F(Benchmark, RunsAgainWhatIsDamagedOrOfOtherInputs) {
   fs::copy(folder_ / "m/points.off", folder_ / "m/other.off");
   ASSERT_EQ(published().exit_code, 0);
   EXPECT_TRUE(result("points").contains("stages")) << "of the file as it was";
+
+  // By the other method, which is cut short here.
+  ASSERT_EQ(benchmark({"--time-limit", "0.001"}).exit_code, 0);
+  EXPECT_EQ(result("points")["status"], "failed");
 }
 
 TEST_F(Benchmark, APairThatTakesTooLongHasFailed) {

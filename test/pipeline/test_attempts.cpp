@@ -124,6 +124,16 @@ TEST(Attempts, aMapThatClosedHolesLedAstrayScoresFarWorse) {
   EXPECT_FALSE(patchesLeadAstray(-12, -11.5));
 }
 
+TEST(Attempts, anAnswerThatIsAllButCertainAndNotAstrayStands) {
+  RegistrationResult known = answerWith(-12, 1);  // trusted to 0.9
+  const double score = known.alternatives[known.chosen].score;
+  EXPECT_TRUE(knownStands(known, score));
+  EXPECT_TRUE(knownStands(known, score - 0.5));
+  EXPECT_FALSE(knownStands(known, score - 1.5));
+  known.trust = 0.8;
+  EXPECT_FALSE(knownStands(known, score));
+}
+
 TEST(Attempts, mapsThatDifferInAHandDoNotAgreeEverywhere) {
   const TriangleMesh line{Points::NullaryExpr(100, 3, [](auto row, auto) { return 0.01 * row; }),
                           Faces(0, 3)};

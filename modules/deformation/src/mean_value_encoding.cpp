@@ -101,7 +101,7 @@ class Encoder {
     const auto farthest = [&](const auto& distance) {
       int best = of.front();
       for (int v : of)
-        if (distance(v) > CLEARLY_MORE * distance(best)) best = v;
+        if (distance(v) > FARTHER_BEYOND_ROUNDING * distance(best)) best = v;
       return best;
     };
     Vector3d centroid = Vector3d::Zero();

@@ -27,7 +27,7 @@ Matrix3d polygonAxes(const PolygonFrame& frame, const std::vector<Vector3d>& cor
   Vector3d tangent = Vector3d::Zero();
   for (const Vector3d& p : corners) {
     const Vector3d from = p - frame.centroid, across = from - n.dot(from) * n;
-    if (across.norm() > CLEARLY_MORE * tangent.norm()) tangent = across;
+    if (across.norm() > FARTHER_BEYOND_ROUNDING * tangent.norm()) tangent = across;
   }
   tangent.normalize();
   Matrix3d axes;

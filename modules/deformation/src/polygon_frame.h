@@ -9,15 +9,15 @@
 
 namespace posture {
 
-/// Of two places as far as rounding can tell the first is taken.
-constexpr double CLEARLY_MORE = 1 + 1e-6;
+/// Of two places as far as rounding can tell the first is taken: the next must be so much farther.
+constexpr double FARTHER_BEYOND_ROUNDING = 1 + 1e-6;
 
 /// What a polygon says of where it lies.
 struct PolygonFrame {
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   Eigen::Vector3d area = Eigen::Vector3d::Zero();  ///< area vector
   double fan_area = 0;  ///< of the triangles from the centroid, without sign
-  double radius = 0;    ///< s
+  double radius = 0;    ///< root mean square distance of the corners from the centroid
 
   explicit PolygonFrame(const std::vector<Eigen::Vector3d>& corners);
 

@@ -27,6 +27,9 @@ constexpr double A_PART = 0.02;
 /// that lead across a face, maps that were astray had lost 1.2 and more.
 constexpr double COST_OF_PATCHES = 1;
 
+/// A known answer that is trusted to so much is not looked for again.
+constexpr double ALL_BUT_CERTAIN = 0.9;
+
 /// Mean distance between where two answers take what both map; all of the size where they share
 /// less than half.
 double gapBetween(const RegistrationResult& x,
@@ -117,6 +120,11 @@ bool agreeEverywhere(const std::vector<SurfacePoint>& x,
 
 bool patchesLeadAstray(double score_as_given, double score_patched) {
   return score_patched > score_as_given + COST_OF_PATCHES;
+}
+
+bool knownStands(const RegistrationResult& known, double confirming_score) {
+  return known.trust >= ALL_BUT_CERTAIN &&
+         !patchesLeadAstray(confirming_score, known.alternatives[known.chosen].score);
 }
 
 RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map) {

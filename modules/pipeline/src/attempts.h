@@ -40,6 +40,11 @@ bool agreeEverywhere(const std::vector<SurfacePoint>& x,
 /// Whether patches lead an answer astray that was found without them too: it then scores far worse.
 bool patchesLeadAstray(double score_as_given, double score_patched);
 
+/// Whether an answer found with patches needs no second one that leads to the same places on the
+/// surfaces as they are: it is all but certain, and not astray.
+/// \param confirming_score  of the map that leads there, before it is refined.
+bool knownStands(const RegistrationResult& known, double confirming_score);
+
 /// One answer found twice: the better map, with the verdict that trusts it more. The map found with
 /// closed holes drifts less, unless patches led it astray; but patches differ from pose to pose and
 /// blur what tells answers apart, while long rims, as between few views of a body, hide that two

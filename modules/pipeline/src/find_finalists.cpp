@@ -49,6 +49,7 @@ Finalists findFinalists(const PosedSide& source_side,
                         const std::vector<SampleMap>& pool,
                         bool may_lack,
                         const RegistrationResult* known,
+                        bool may_stop,
                         StageClock& clock) {
   const SampledShape &source_samples = source_side.shape.samples,
                      &target_samples = target_side.shape.samples;
@@ -70,8 +71,13 @@ Finalists findFinalists(const PosedSide& source_side,
 
   const double gap = 2 * target_samples.spacing;
   const auto distinct = [&] { return distinctFinalists(finalists, target.mesh, gap); };
-  const auto confirm = [&] { return confirms(known, source_side, target_side, finalists); };
-  found.confirm_known = confirm();
+  const auto confirm = [&] {
+    found.confirm_known = confirms(known, source_side, target_side, finalists);
+    found.known_stands =
+        may_stop && found.confirm_known && knownStands(*known, finalists.front().score.total());
+  };
+  confirm();
+  if (found.known_stands) return found;
   // A part that the other side lacks is squeezed onto what there is, and leads what is next to it
   // astray.
   if (may_lack && !found.confirm_known) {
@@ -82,7 +88,8 @@ Finalists findFinalists(const PosedSide& source_side,
     // With holes closed the map is wanted for what it does not lose.
     const bool as_given =
         source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0;
-    found.confirm_known = confirm();
+    confirm();
+    if (found.known_stands) return found;
     if (as_given && !found.confirm_known) {
       clock.stage("growing anew", 0.03, [&] {
         const std::vector<int> different = distinct();
@@ -116,6 +123,7 @@ Finalists findFinalists(const PosedSide& source_side,
           std::move(finalists),
           layFinalists(source, target, source_side.coarsePlaces(), target_side.coarsePlaces()));
     });
+  if (found.confirm_known) confirm();  // another may be the best now
   return found;
 }
 

@@ -14,6 +14,7 @@ namespace posture {
 struct Finalists {
   std::vector<Finalist> maps;  ///< between the coarse surfaces, by increasing score
   bool confirm_known = false;  ///< the best one leads everywhere to where a trusted answer does
+  bool known_stands = false;   ///< so much that nothing more was sought (knownStands())
 };
 
 /// The stages from bending to laying over: different maps between the coarse surfaces.
@@ -22,6 +23,7 @@ struct Finalists {
 /// \param pool  sample maps, by increasing distortion.
 /// \param may_lack  whether a side may lack a part that the other one has.
 /// \param known  an answer found otherwise, in the numbering of both inputs; null: none.
+/// \param may_stop  whether to end as soon as that is confirmed and stands.
 /// \throws std::runtime_error  a surface cannot be bent (Arap)
 Finalists findFinalists(const PosedSide& source_side,
                         const PosedSide& target_side,
@@ -30,6 +32,7 @@ Finalists findFinalists(const PosedSide& source_side,
                         const std::vector<SampleMap>& pool,
                         bool may_lack,
                         const RegistrationResult* known,
+                        bool may_stop,
                         StageClock& clock);
 
 }  // namespace posture

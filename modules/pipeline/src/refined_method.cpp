@@ -29,8 +29,8 @@ constexpr std::size_t MOST_ALTERNATIVES = 4;
 /// So many finalists are refined in any case, and of those that only confirm what is known.
 constexpr std::size_t REFINED = 2, REFINED_TO_CONFIRM = 1;
 
-/// A known answer that is trusted to so much gains nothing by being found again.
-constexpr double ALL_BUT_CERTAIN = 0.9;
+/// Its part of the time.
+constexpr double REFINEMENT = 0.14;
 
 AlternativeSummary summarize(const Finalist& finalist) {
   AlternativeSummary summary;
@@ -78,12 +78,6 @@ bool mayLack(const PosedSide& source, const PosedSide& target) {
     return side.given.patch_vertices > 0 || mayBePiece(side.ordered);
   };
   return open(source) || open(target);
-}
-
-/// Whether an answer that the best finalist confirms gains nothing by its refinement.
-bool isAllToSay(const RegistrationResult& known, const Finalist& best) {
-  const double known_score = known.alternatives[known.chosen].score;  // unrefined, too
-  return known.trust >= ALL_BUT_CERTAIN && !patchesLeadAstray(best.score.total(), known_score);
 }
 
 /// The leading finalists, as precise as the work meshes allow; by increasing score.
@@ -167,8 +161,12 @@ void refineAlternatives(const ChosenMap& chosen, RegistrationResult& result) {
 }
 
 /// Chooses a map: the way from the surfaces to the best of the refined maps.
-/// \return whether there was something to choose, see refinedMethodBeside().
-bool chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& clock) {
+/// \param may_stop  whether to stop, before maps are refined, where the known answer stands.
+/// \return false: it stopped.
+bool chooseMap(ChosenMap& chosen,
+               const RegistrationResult* known,
+               bool may_stop,
+               StageClock& clock) {
   PosedSide &source = chosen.source, &target = chosen.target;
   clock.stage("reduction", 0.03, [&] { reduceSides(source, target); });
 
@@ -198,8 +196,11 @@ bool chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& c
   const SpectralSurface source_coarse = source.shape.coarseSurface(),
                         target_coarse = target.shape.coarseSurface();
   Finalists found = findFinalists(
-      source, target, source_coarse, target_coarse, pool, chosen.may_lack, known, clock);
-  if (found.confirm_known && isAllToSay(*known, found.maps.front())) return false;
+      source, target, source_coarse, target_coarse, pool, chosen.may_lack, known, may_stop, clock);
+  if (found.known_stands) {
+    clock.skip(REFINEMENT);
+    return false;
+  }
   const std::size_t first = found.confirm_known ? REFINED_TO_CONFIRM : REFINED;
   chosen.finalists = std::move(found.maps);
   const std::vector<Finalist>& finalists = chosen.finalists;
@@ -216,7 +217,7 @@ bool chooseMap(ChosenMap& chosen, const RegistrationResult* known, StageClock& c
   clock.show([&] { return finalistPictures(source_coarse, target_coarse, finalists, distinct); });
 
   // The best of the leading ones wins.
-  clock.stage("refinement", 0.14, [&] {
+  clock.stage("refinement", REFINEMENT, [&] {
     const std::vector<RefinedMap> refined =
         refineLeading(source.shape, target.shape, chosen.may_lack, finalists, distinct, first);
     const RefinedAnswers refined_answers(
@@ -274,15 +275,15 @@ RegistrationResult finishMap(const ChosenMap& chosen,
   return result;
 }
 
-}  // namespace
-
-std::optional<Attempt> refinedMethodBeside(const RegistrationResult* known,
-                                           const GivenShape& source,
-                                           const GivenShape& target,
-                                           const RegistrationOptions& options,
-                                           StageClock& clock) {
+/// See refinedMethodUnlessKnown().
+std::optional<Attempt> attemptAt(const GivenShape& source,
+                                 const GivenShape& target,
+                                 const RegistrationOptions& options,
+                                 StageClock& clock,
+                                 const RegistrationResult* known,
+                                 bool may_stop) {
   const auto chosen = std::make_shared<ChosenMap>(source, target);
-  if (!chooseMap(*chosen, known, clock)) return {};
+  if (!chooseMap(*chosen, known, may_stop, clock)) return {};
   Attempt attempt{chosen->result, {}};
   if (chosen->result.chosen < 0) return attempt;
   if (!options.refine_alternatives) chosen->finalists = {};
@@ -300,11 +301,22 @@ std::optional<Attempt> refinedMethodBeside(const RegistrationResult* known,
   return attempt;
 }
 
+}  // namespace
+
 Attempt refinedMethod(const GivenShape& source,
                       const GivenShape& target,
                       const RegistrationOptions& options,
-                      StageClock& clock) {
-  return *refinedMethodBeside(nullptr, source, target, options, clock);
+                      StageClock& clock,
+                      const RegistrationResult* known) {
+  return *attemptAt(source, target, options, clock, known, false);
+}
+
+std::optional<Attempt> refinedMethodUnlessKnown(const GivenShape& source,
+                                                const GivenShape& target,
+                                                const RegistrationOptions& options,
+                                                StageClock& clock,
+                                                const RegistrationResult* known) {
+  return attemptAt(source, target, options, clock, known, true);
 }
 
 }  // namespace posture

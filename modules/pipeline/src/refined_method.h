@@ -13,20 +13,20 @@ namespace posture {
 /// are bent onto the target, the best refined. That far the attempt goes at once; finishing it
 /// takes the map to a fraction of an edge and completes the source. docs/pipeline.md has the
 /// stages. The `input` of both sides and the clock outlive the attempt; `clean` need not.
+/// \param known  an answer found otherwise, in the numbering of both inputs; null: none. Where it
+/// is trusted and the best finalist agrees with it, none is changed any more, and of finalists
+/// that are the same answer that one alone is refined.
 Attempt refinedMethod(const GivenShape& source,
                       const GivenShape& target,
                       const RegistrationOptions& options,
-                      StageClock& clock);
+                      StageClock& clock,
+                      const RegistrationResult* known = nullptr);
 
-/// The same beside an answer found otherwise. Where that is trusted and the best finalist agrees
-/// with it, none is changed any more, and of finalists that are the same answer that one alone is
-/// refined; where it is all but certain not even that, as nothing would be gained.
-/// \param known  in the numbering of both inputs; null: none.
-/// \return nothing where the known answer is all there is to say.
-std::optional<Attempt> refinedMethodBeside(const RegistrationResult* known,
-                                           const GivenShape& source,
-                                           const GivenShape& target,
-                                           const RegistrationOptions& options,
-                                           StageClock& clock);
+/// The same, given up where the known answer stands (knownStands() in attempts.h): nothing then.
+std::optional<Attempt> refinedMethodUnlessKnown(const GivenShape& source,
+                                                const GivenShape& target,
+                                                const RegistrationOptions& options,
+                                                StageClock& clock,
+                                                const RegistrationResult* known);
 
 }  // namespace posture

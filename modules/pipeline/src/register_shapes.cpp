@@ -48,7 +48,8 @@ double shareInPieces(const CleanMesh& clean) {
 
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted:
 /// the better map tells.
-/// \param known, return  see refinedMethodBeside().
+/// \param known  see refinedMethod().
+/// \return nothing where there is no contact and the known answer stands.
 std::optional<Attempt> registerWhole(const GivenShape& source,
                                      const GivenShape& target,
                                      const RegistrationOptions& options,
@@ -59,25 +60,24 @@ std::optional<Attempt> registerWhole(const GivenShape& source,
     return std::pair(partedSurface(source.input, source.clean),
                      partedSurface(target.input, target.clean));
   });
-  const bool parted = source_parted.contacts > 0 || target_parted.contacts > 0;
-  std::optional<Attempt> whole = clock.within({"", parted ? portion / 2 : portion}, [&] {
-    return refinedMethodBeside(known, source, target, options, clock);
-  });
-  if (!parted || !whole) return whole;
-  std::optional<std::optional<Attempt>> other = clock.tryAttempt(
+  if (source_parted.contacts == 0 && target_parted.contacts == 0)
+    return clock.within({"", portion}, [&] {
+      return refinedMethodUnlessKnown(source, target, options, clock, known);
+    });
+  Attempt whole = clock.within(
+      {"", portion / 2}, [&] { return refinedMethod(source, target, options, clock, known); });
+  std::optional<Attempt> other = clock.tryAttempt(
       "parted", portion / 2, [&, &a = source_parted.clean, &b = target_parted.clean] {
-        return refinedMethodBeside(known,
-                                   {source.input, a, source.patch_vertices},
-                                   {target.input, b, target.patch_vertices},
-                                   options,
-                                   clock);
+        return refinedMethod({source.input, a, source.patch_vertices},
+                             {target.input, b, target.patch_vertices},
+                             options,
+                             clock,
+                             known);
       });
-  if (!other) return whole;
-  if (!*other) return {};
-  if ((*other)->found.score > whole->found.score - SCORE_NOISE) return whole;
-  Attempt cut = withChange(std::move(**other),
-                           [of_source = whole->found.source,
-                            of_target = whole->found.target,
+  if (!other || other->found.score > whole.found.score - SCORE_NOISE) return whole;
+  Attempt cut = withChange(std::move(*other),
+                           [of_source = whole.found.source,
+                            of_target = whole.found.target,
                             a = source_parted.contacts,
                             b = target_parted.contacts](RegistrationResult& result) {
                              result.source = withMeasured(of_source, result.source);
@@ -85,14 +85,15 @@ std::optional<Attempt> registerWhole(const GivenShape& source,
                              result.source.parted_contacts = a;
                              result.target.parted_contacts = b;
                            });
-  cut.finish = [finish = std::move(cut.finish), whole = std::move(*whole), &clock] {
+  cut.finish = [finish = std::move(cut.finish), whole = std::move(whole), &clock] {
     std::optional<RegistrationResult> result = clock.tryTo(finish);
     return result ? std::move(*result) : finished(whole);
   };
   return cut;
 }
 
-/// Of the attempts with holes as they are and closed: one answer or two.
+/// What is taken of the attempts with holes as they are and closed, whether they have one answer or
+/// two.
 RegistrationResult bestOfBoth(Attempt as_given,
                               Attempt closed,
                               const TriangleMesh& target,
@@ -133,15 +134,15 @@ RegistrationResult registerPatched(const GivenShape& source,
           refinedMethod(a.given(), b.given(), options, clock),
           [&](RegistrationResult& result) { leaveOutPatches(source, a, target, b, result); });
     });
-  const auto asGiven = [&](const RegistrationResult* known) {
-    return registerWhole(source, target, options, many ? 0.5 : 1, known, clock);
+  const auto asGiven = [&](double portion, const RegistrationResult* known) {
+    return registerWhole(source, target, options, portion, known, clock);
   };
-  if (!closed) return finished(*asGiven(nullptr));
-  if (std::optional<Attempt> as_given = asGiven(&closed->found))
+  if (!closed) return finished(*asGiven(many ? 0.5 : 1, nullptr));
+  if (std::optional<Attempt> as_given = asGiven(0.5, &closed->found))
     return bestOfBoth(std::move(*as_given), std::move(*closed), target.input, options, clock);
   std::optional<RegistrationResult> known =
       clock.tryTo([&] { return finished(std::move(*closed)); });
-  return known ? std::move(*known) : finished(*asGiven(nullptr));
+  return known ? std::move(*known) : finished(*asGiven(0, nullptr));
 }
 
 /// For surfaces in pieces: joined where the gaps between them are narrow, they may tell more.

@@ -42,6 +42,9 @@ class StageClock {
     }
   }
 
+  /// Progress over stages that are not needed.
+  void skip(double share) { progress_ += label_.portion * share; }
+
   /// Hands the pictures of the stage just run to the observer.
   void show(const std::function<std::vector<StagePicture>()>& pictures) {
     if (!timings_.empty()) tell({label_.attempt, timings_.back().stage, progress_, pictures});
