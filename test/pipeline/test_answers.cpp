@@ -70,6 +70,14 @@ TEST_F(AnswersTest, anotherAnswerIsRefinedWhereScoresDoNotDecide) {
   EXPECT_EQ(leadingOf({finalist(0, -12)}, {0}, 2), (Answers{0}));
 }
 
+TEST_F(AnswersTest, anAnswerIsAllButCertainWhereItFitsAndNoOtherComesNear) {
+  EXPECT_TRUE(isAllButCertain({finalist(0, -12)}, {0}));
+  EXPECT_TRUE(isAllButCertain({finalist(0, -12), finalist(9, -10.5)}, {0, 1}));
+  EXPECT_TRUE(isAllButCertain({finalist(0, -12), finalist(0, -11.9), finalist(9, -10.5)}, {0, 2}));
+  EXPECT_FALSE(isAllButCertain({finalist(0, -12), finalist(9, -11.5)}, {0, 1}));
+  EXPECT_FALSE(isAllButCertain({finalist(0, -8.7)}, {0}));
+}
+
 TEST_F(AnswersTest, fourAnswersAndOneThatWasLaidAreRefinedAtMost) {
   std::vector<Finalist> finalists;
   for (int column : {0, 4, 8, 12, 16, 20})

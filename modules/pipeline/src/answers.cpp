@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "answers.h"
 
+#include "verdict.h"
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace posture {
 
@@ -24,6 +26,13 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
         }))
       distinct.push_back(i);
   return distinct;
+}
+
+bool isAllButCertain(const std::vector<Finalist>& finalists, const std::vector<int>& distinct) {
+  const auto score = [&](std::size_t k) { return finalists[distinct[k]].score.total(); };
+  const double margin =
+      distinct.size() > 1 ? score(1) - score(0) : std::numeric_limits<double>::infinity();
+  return trustIn(score(0), margin) >= ALL_BUT_CERTAIN;
 }
 
 std::vector<int> foremost(const std::vector<int>& answers, int chosen, std::size_t most) {

@@ -18,6 +18,10 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
                                    const TriangleMesh& target,
                                    double gap);
 
+/// Whether the best finalist scores, alone and beside the next different one, as an answer does
+/// that is not looked for any further. \pre  there is one.
+bool isAllButCertain(const std::vector<Finalist>& finalists, const std::vector<int>& distinct);
+
 /// The first `most` answers, but always the chosen one. \pre  it is one of them, and `most` > 0.
 std::vector<int> foremost(const std::vector<int>& answers, int chosen, std::size_t most);
 

@@ -27,9 +27,6 @@ constexpr double A_PART = 0.02;
 /// that lead across a face, maps that were astray had lost 1.2 and more.
 constexpr double COST_OF_PATCHES = 1;
 
-/// A known answer that is trusted to so much is not looked for again.
-constexpr double ALL_BUT_CERTAIN = 0.9;
-
 /// Mean distance between where two answers take what both map; all of the size where they share
 /// less than half.
 double gapBetween(const RegistrationResult& x,

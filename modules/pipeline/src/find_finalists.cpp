@@ -78,6 +78,20 @@ Finalists findFinalists(const PosedSide& source_side,
   };
   confirm();
   if (found.known_stands) return found;
+  // Where bodies stretch, the right candidate is not among those that change distances least, nor
+  // where they lack parts.
+  if (!convince() ||
+      (may_lack && !found.confirm_known && !isAllButCertain(finalists, distinct()))) {
+    clock.stage("tips", 0.03, [&] {
+      finalists = joined(std::move(finalists),
+                         registered(tipMaps(source_samples, target_samples, MOST_TIP_MAPS)));
+      bendFurther(source, target, finalists);
+      exchangeParts(source, target, gap, finalists);
+    });
+    confirm();
+    if (found.known_stands) return found;
+  }
+
   // A part that the other side lacks is squeezed onto what there is, and leads what is next to it
   // astray.
   if (may_lack && !found.confirm_known) {
@@ -107,14 +121,6 @@ Finalists findFinalists(const PosedSide& source_side,
       });
     }
   }
-
-  // Where bodies stretch, the right candidate is not among those that change distances least.
-  if (!convince())
-    clock.stage("tips", 0.03, [&] {
-      finalists = joined(std::move(finalists),
-                         registered(tipMaps(source_samples, target_samples, MOST_TIP_MAPS)));
-      bendFurther(source, target, finalists);
-    });
 
   // Spectra and scale go astray where much is missing; surfaces laid over each other do not.
   if (!convince())

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,11 +79,13 @@ bool looksAlike(const RegistrationResult& result) {
 
 bool isDecided(const RegistrationResult& result) { return result.trust >= LEAST_TRUST; }
 
+double trustIn(double score, double margin) { return likenessOf(score) * decisionOf(margin); }
+
 double trustIn(const RegistrationResult& result) {
   const int rival = rivalOf(result);
-  const double decision =
-      rival < 0 ? 1 : decisionOf(marginBefore(result, result.alternatives[rival]));
-  return likenessOf(result.score) * decision;
+  return trustIn(result.score,
+                 rival < 0 ? std::numeric_limits<double>::infinity()
+                           : marginBefore(result, result.alternatives[rival]));
 }
 
 void setTrust(double trust, RegistrationResult& result) {

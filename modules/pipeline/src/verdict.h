@@ -23,12 +23,14 @@ double marginBefore(const RegistrationResult& result, const AlternativeSummary& 
 /// How likely another answer is beside the chosen one, by that margin; at most 1.
 double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& other);
 
-/// How far the score of the map and its margin before the next different one speak for it, in
-/// [0, 1].
+/// A trust from which on an answer is not looked for any further.
+constexpr double ALL_BUT_CERTAIN = 0.9;
+
+/// How far the score of a map and its margin before the next different one speak for it, in [0, 1].
+double trustIn(double score, double margin);
 double trustIn(const RegistrationResult& result);
 
-/// Whether a map scores as those between poses of one body do: it then needs no other kind of
-/// candidate beside it.
+/// Whether a map scores as those between poses of one body do.
 bool convinces(double score);
 
 /// Whether the final map scores as those between poses of one body do.
