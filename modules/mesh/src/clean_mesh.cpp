@@ -173,6 +173,8 @@ void turnOver(CleanMesh& clean) {
 }
 
 Faces facedAlike(const Faces& input, const CleanMesh& clean) {
+  require(clean.face_sense.size() == static_cast<std::size_t>(input.rows()),
+          "facedAlike: cleaned of another input");
   Faces faces = input;
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
     const int sense = clean.face_sense[f];

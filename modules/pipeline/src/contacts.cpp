@@ -10,7 +10,7 @@
 #include <posture/mesh/handles.h>
 #include <posture/mesh/vertex_neighbors.h>
 
-#include "cut_clean_mesh.h"
+#include "cut_surface.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -215,18 +215,12 @@ std::vector<int> weldedContacts(const TriangleMesh& mesh, int& contacts) {
 }  // namespace
 
 PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean) {
-  PartedSurface parted{clean, 0};
-  TriangleMesh cut = input;
+  CutSurface cut(input, clean);
   int contacts = 0;
   const std::vector<int> welded = weldedContacts(clean.mesh, contacts);
-  if (!welded.empty()) {
-    cut = withoutVertices(cut, clean, welded);
-    std::optional<CleanMesh> rest = cleanRest(cut);
-    if (!rest) return parted;
-    parted = {std::move(*rest), contacts};
-  }
+  if (!welded.empty() && !cut.cutOut(welded)) return {clean, 0};
   for (int rings = 0; rings < MOST_RINGS; ++rings) {
-    const TriangleMesh& surface = parted.clean.mesh;
+    const TriangleMesh& surface = cut.clean().mesh;
     if (Handles(cutNonManifold(surface).mesh).count() == 0) break;
     const ReducedMesh reduced = reduceMesh(surface, VERTICES);
     const ManifoldMesh manifold = cutNonManifold(reduced.mesh);
@@ -241,12 +235,10 @@ PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean) {
       const std::vector<int> path = paths.shortest(place(i), place(i + 1));
       along.insert(along.end(), path.begin(), path.end());
     }
-    cut = withoutVertices(cut, parted.clean, along);
-    std::optional<CleanMesh> rest = cleanRest(cut);
-    if (!rest) break;
-    parted = {std::move(*rest), parted.contacts + 1};
+    if (!cut.cutOut(along)) break;
+    ++contacts;
   }
-  return parted;
+  return {cut.clean(), contacts};
 }
 
 }  // namespace posture

@@ -7,10 +7,9 @@
 #include <posture/mesh/edges.h>
 #include <posture/refine/place_piece.h>
 
-#include "cut_clean_mesh.h"
+#include "cut_surface.h"
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace posture {
@@ -101,13 +100,12 @@ std::vector<CleanMesh> partsLike(const CleanMesh& piece, const GivenShape& whole
     if (static_cast<double>(outside.size()) <
         (1 - NEARLY_ALL) * static_cast<double>(nearest.size()))
       continue;
-    if (std::optional<CleanMesh> rest =
-            cleanRest(withoutVertices(whole.input, whole.clean, outside))) {
-      // What else the whole is in says nothing of how this part of it lies.
-      rest->pieces = {};
-      rest->piece_vertex.clear();
-      cut.push_back(std::move(*rest));
-    }
+    CutSurface rest(whole.input, whole.clean);
+    if (!rest.cutOut(outside)) continue;
+    cut.push_back(rest.clean());
+    // What else the whole is in says nothing of how this part of it lies.
+    cut.back().pieces = {};
+    cut.back().piece_vertex.clear();
   }
   return cut;
 }

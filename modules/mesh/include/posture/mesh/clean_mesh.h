@@ -63,6 +63,7 @@ void turnOver(CleanMesh& clean);
 
 /// The input's faces, those of the main surface looking the way they do there, others turned where
 /// it was inside out.
+/// \throws std::invalid_argument  `clean` is of an input with more faces or fewer.
 Faces facedAlike(const Faces& input, const CleanMesh& clean);
 
 /// How many different places corners of faces are in, of the first `vertices` vertices.
