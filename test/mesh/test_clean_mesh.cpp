@@ -6,6 +6,7 @@
 #include <posture/mesh/normals.h>
 
 #include <Eigen/Geometry>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
@@ -190,10 +191,12 @@ TEST(CleanMesh, turnsASurfaceOutwardsThatIsClosedButForSmallHoles) {
   EXPECT_TRUE(clean.inside_out);
   EXPECT_GT(volume(clean.mesh), 1);
   EXPECT_EQ(clean.summary.flipped_faces, ball.faces.rows());
-  for (signed char sense : clean.face_sense) EXPECT_EQ(sense, -1);
+  EXPECT_THAT(clean.face_on_main, testing::Each(1));
+  EXPECT_THAT(clean.face_turned, testing::Each(1));
   Faces right = ball.faces;
   right.col(1).swap(right.col(2));
   EXPECT_EQ(facedAlike(ball.faces, clean), right);
+  EXPECT_THROW(facedAlike(ball.faces.topRows(9), clean), std::invalid_argument);
   EXPECT_LT(volume(cleanMesh(ball, Facing::AS_MOST).mesh), -1);
 }
 

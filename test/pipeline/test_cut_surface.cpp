@@ -5,6 +5,7 @@
 
 #include "cut_surface.h"
 #include "support/shapes.h"
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -21,35 +22,39 @@ std::vector<int> slice(const CleanMesh& clean, double from, double to) {
   return vertices;
 }
 
-/// Whether the faces left look outward, and how many of the input's are left.
-int facesLeft(const TriangleMesh& input, const CleanMesh& clean) {
+/// Whether all faces of the input are made to look outward, those cut out as well.
+void expectOutward(const TriangleMesh& input, const CleanMesh& clean) {
   const Faces faces = facedAlike(input.faces, clean);
-  EXPECT_EQ(clean.face_sense.size(), input.faces.rows());
-  int left = 0;
   for (int f = 0; f < faces.rows(); ++f) {
-    if (clean.face_sense[f] == 0) continue;
-    ++left;
     Eigen::Matrix3d corners;
     for (int k = 0; k < 3; ++k) corners.col(k) = input.vertices.row(faces(f, k)).transpose();
     EXPECT_GT(corners.determinant(), 0) << f;
   }
-  return left;
+}
+
+/// How many of the input's faces are left.
+long facesLeft(const CleanMesh& clean) {
+  return std::count(clean.face_on_main.begin(), clean.face_on_main.end(), 1);
 }
 
 TEST(CutSurface, tellsOfTheWholeInputAfterEachCut) {
   for (const bool inside_out : {false, true}) {
     TriangleMesh input = test::sphere(4);
     for (int f = 0; f < input.faces.rows(); ++f)
-      if ((f % 5 == 0) != inside_out) std::swap(input.faces(f, 1), input.faces(f, 2));
+      if ((f % 20 == 0) != inside_out) std::swap(input.faces(f, 1), input.faces(f, 2));
     CutSurface cut(input, cleanMesh(input));
+    ASSERT_EQ(cut.clean().inside_out, inside_out);
     ASSERT_TRUE(cut.cutOut(slice(cut.clean(), 0.8, 2)));
-    const int after_one = facesLeft(input, cut.clean());
+    EXPECT_EQ(cut.clean().inside_out, inside_out);
+    expectOutward(input, cut.clean());
+    const long after_one = facesLeft(cut.clean());
     EXPECT_EQ(after_one, cut.clean().mesh.faces.rows());
-    EXPECT_LT(after_one, 0.95 * static_cast<double>(input.faces.rows()));
+    EXPECT_LT(static_cast<double>(after_one), 0.95 * static_cast<double>(input.faces.rows()));
     // What was cut out before is not back, and the smaller part is a piece now.
     ASSERT_TRUE(cut.cutOut(slice(cut.clean(), 0.3, 0.5)));
-    const int after_two = facesLeft(input, cut.clean());
-    EXPECT_EQ(after_two, cut.clean().mesh.faces.rows());
+    EXPECT_EQ(cut.clean().inside_out, inside_out);
+    expectOutward(input, cut.clean());
+    EXPECT_EQ(facesLeft(cut.clean()), cut.clean().mesh.faces.rows());
     EXPECT_LT(cut.clean().mesh.vertices.col(2).maxCoeff(), 0.35);
     EXPECT_GT(cut.clean().pieces.faces.rows(), 0);
     EXPECT_LT(cut.clean().pieces.vertices.col(2).maxCoeff(), 0.85);

@@ -151,9 +151,11 @@ CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
   const Orientation orientation = orientFaces(clean.mesh, facing);
   clean.outward_known = orientation.outward_known;
   clean.inside_out = orientation.inside_out;
-  clean.face_sense.assign(input.faces.rows(), 0);
+  clean.face_on_main.assign(input.faces.rows(), 0);
+  clean.face_turned.assign(input.faces.rows(), clean.inside_out ? 1 : 0);
   for (std::size_t f = 0; f < input_face.size(); ++f) {
-    clean.face_sense[input_face[f]] = orientation.turned[f] != 0 ? -1 : 1;
+    clean.face_on_main[input_face[f]] = 1;
+    clean.face_turned[input_face[f]] = orientation.turned[f];
     summary.flipped_faces += orientation.turned[f];
   }
   for (const Edge& e : meshEdges(clean.mesh.faces)) summary.non_manifold_edges += e.faces > 2;
@@ -167,19 +169,17 @@ void turnOver(CleanMesh& clean) {
     mesh->faces.col(1).swap(mesh->faces.col(2));
   orientPieces(clean.pieces);
   clean.inside_out = !clean.inside_out;
-  for (signed char& sense : clean.face_sense) sense = static_cast<signed char>(-sense);
+  for (char& turned : clean.face_turned) turned = static_cast<char>(turned == 0);
   clean.summary.flipped_faces =
       static_cast<int>(clean.mesh.faces.rows()) - clean.summary.flipped_faces;
 }
 
 Faces facedAlike(const Faces& input, const CleanMesh& clean) {
-  require(clean.face_sense.size() == static_cast<std::size_t>(input.rows()),
+  require(clean.face_turned.size() == static_cast<std::size_t>(input.rows()),
           "facedAlike: cleaned of another input");
   Faces faces = input;
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    const int sense = clean.face_sense[f];
-    if (sense < 0 || (sense == 0 && clean.inside_out)) std::swap(faces(f, 1), faces(f, 2));
-  }
+  for (Eigen::Index f = 0; f < faces.rows(); ++f)
+    if (clean.face_turned[f] != 0) std::swap(faces(f, 1), faces(f, 2));
   return faces;
 }
 

@@ -18,8 +18,8 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
                                    const TriangleMesh& target,
                                    double gap);
 
-/// Whether the best finalist scores, alone and beside the next different one, as an answer does
-/// that is not looked for any further. \pre  there is one.
+/// Whether the best finalist scores, alone and beside the next different one, so that tips need not
+/// be matched as well. \pre  there is one.
 bool isAllButCertain(const std::vector<Finalist>& finalists, const std::vector<int>& distinct);
 
 /// The first `most` answers, but always the chosen one. \pre  it is one of them, and `most` > 0.

@@ -33,13 +33,14 @@ bool CutSurface::cutOut(const std::vector<int>& vertices) {
     return false;
   }
   // From the faces that are left, turned alike, to those of the input.
-  std::vector<signed char> sense(input_.faces.rows(), 0);
+  std::vector<char> on_main(input_.faces.rows(), 0), turned = clean_.face_turned;
   for (std::size_t i = 0; i < left.size(); ++i) {
-    const bool turned = faces(left[i], 1) != input_.faces(left[i], 1);
-    sense[left[i]] = static_cast<signed char>(turned ? -rest.face_sense[i] : rest.face_sense[i]);
+    on_main[left[i]] = rest.face_on_main[i];
+    turned[left[i]] = static_cast<char>(turned[left[i]] != rest.face_turned[i]);
   }
-  rest.face_sense = std::move(sense);
-  rest.inside_out = rest.inside_out != clean_.inside_out;
+  rest.face_on_main = std::move(on_main);
+  rest.face_turned = std::move(turned);
+  rest.inside_out = clean_.inside_out;
   clean_ = std::move(rest);
   gone_ = std::move(gone);
   return true;

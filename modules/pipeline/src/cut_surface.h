@@ -16,10 +16,11 @@ class CutSurface {
   CutSurface(const TriangleMesh& input, CleanMesh clean);
 
   /// Cuts out the faces that touch some clean vertices; the main surface of what is left looks the
-  /// way most of that did. \return  false: too little would be left, and all stays as it is.
+  /// way most of that did, what was cut out is turned as before.
+  /// \return  false: too little would be left, and all stays as it is.
   bool cutOut(const std::vector<int>& vertices);
 
-  /// Of the whole input, also after cuts.
+  /// In the whole input's numbering, also after cuts; its summary is of what was left.
   const CleanMesh& clean() const { return clean_; }
 
  private:

@@ -57,19 +57,19 @@ Finalists findFinalists(const PosedSide& source_side,
     return registerFinalists(source, target, source_samples, target_samples, maps);
   };
 
+  const double gap = 2 * target_samples.spacing;
   // Those that keep the outside out, bent onto the target; the least strained first.
   Finalists found;
   std::vector<Finalist>& finalists = found.maps;
   finalists = clock.stage("bending", 0.1, [&] {
     std::vector<Finalist> bent = registered(pool);
-    exchangeParts(source, target, 2 * target_samples.spacing, bent);
+    exchangeParts(source, target, gap, bent);
     return bent;
   });
   const auto convince = [&] {
     return !finalists.empty() && convinces(finalists.front().score.total());
   };
 
-  const double gap = 2 * target_samples.spacing;
   const auto distinct = [&] { return distinctFinalists(finalists, target.mesh, gap); };
   const auto confirm = [&] {
     found.confirm_known = confirms(known, source_side, target_side, finalists);

@@ -103,8 +103,9 @@ void trim(const WithoutPatches& rows,
 /// Whether most faces of a surface look the other way after others were added behind them.
 bool isTurnedRound(const CleanMesh& before, const CleanMesh& after) {
   int alike = 0;
-  for (std::size_t f = 0; f < before.face_sense.size(); ++f)
-    alike += before.face_sense[f] * after.face_sense[f];
+  for (std::size_t f = 0; f < before.face_turned.size(); ++f)
+    if (before.face_on_main[f] != 0 && after.face_on_main[f] != 0)
+      alike += before.face_turned[f] == after.face_turned[f] ? 1 : -1;
   return alike < 0;
 }
 

@@ -23,7 +23,7 @@ double marginBefore(const RegistrationResult& result, const AlternativeSummary& 
 /// How likely another answer is beside the chosen one, by that margin; at most 1.
 double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& other);
 
-/// A trust from which on an answer is not looked for any further.
+/// So much trust is all but certain: what would only look for another answer is left out.
 constexpr double ALL_BUT_CERTAIN = 0.9;
 
 /// How far the score of a map and its margin before the next different one speak for it, in [0, 1].

@@ -31,8 +31,10 @@ struct CleanMesh {
   std::vector<int> clean_vertex;
   /// Input vertex -> distance to that clean vertex; 0 exactly on the main surface.
   Vector offset;
-  /// Input face -> 1: on the main surface, as it was given; -1: on it, turned round; 0: not on it.
-  std::vector<signed char> face_sense;
+  std::vector<char> face_on_main;  ///< input face -> whether it is on the main surface
+  /// Input face -> whether it must be turned round to look as the main surface does; off that:
+  /// whether the main surface was inside out.
+  std::vector<char> face_turned;
   /// Whether the main surface, its largest patch, encloses a volume but for its holes, so that its
   /// own shape tells the outside.
   bool outward_known = false;
@@ -61,8 +63,7 @@ CleanMesh cleanMesh(const TriangleMesh& input, Facing facing = Facing::OUTWARD);
 /// Turns the main surface the other way round, and pieces that do not tell their outside.
 void turnOver(CleanMesh& clean);
 
-/// The input's faces, those of the main surface looking the way they do there, others turned where
-/// it was inside out.
+/// The input's faces, turned as `clean.face_turned` says.
 /// \throws std::invalid_argument  `clean` is of an input with more faces or fewer.
 Faces facedAlike(const Faces& input, const CleanMesh& clean);
 
