@@ -6,9 +6,9 @@
 #include <posture/mesh/edges.h>
 #include <posture/mesh/point_index.h>
 #include <posture/mesh/require_mesh.h>
+#include <posture/mesh/weld.h>
 
 #include "orient_faces.h"
-#include "weld.h"
 #include <algorithm>
 #include <array>
 #include <limits>

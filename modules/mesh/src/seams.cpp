@@ -3,10 +3,10 @@
 #include <posture/core/median.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/seams.h>
+#include <posture/mesh/weld.h>
 
 #include <boost/container_hash/hash.hpp>
 
-#include "weld.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

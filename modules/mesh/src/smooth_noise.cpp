@@ -5,11 +5,11 @@
 #include <posture/mesh/edges.h>
 #include <posture/mesh/smooth_noise.h>
 #include <posture/mesh/vertex_neighbors.h>
+#include <posture/mesh/weld.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-#include "weld.h"
 #include <algorithm>
 #include <cmath>
 #include <utility>

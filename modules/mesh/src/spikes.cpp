@@ -3,8 +3,8 @@
 #include <posture/core/median.h>
 #include <posture/mesh/spikes.h>
 #include <posture/mesh/vertex_neighbors.h>
+#include <posture/mesh/weld.h>
 
-#include "weld.h"
 #include <algorithm>
 #include <limits>
 #include <utility>

@@ -1,19 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#pragma once
-
-#include <posture/core/types.h>
+#include <posture/mesh/weld.h>
 
 #include <boost/container_hash/hash.hpp>
 
 #include <array>
 #include <unordered_map>
-#include <vector>
 
 namespace posture {
 
-/// Vertex -> the first vertex at the same place.
-inline std::vector<int> weld(const Points& vertices) {
+std::vector<int> weld(const Points& vertices) {
   using Place = std::array<double, 3>;
   std::unordered_map<Place, int, boost::hash<Place>> first_at;
   first_at.reserve(vertices.rows());
@@ -26,8 +22,7 @@ inline std::vector<int> weld(const Points& vertices) {
   return representative;
 }
 
-/// Faces between these first vertices, without those that have one twice.
-inline Faces weldedFaces(const Faces& faces, const std::vector<int>& first) {
+Faces weldedFaces(const Faces& faces, const std::vector<int>& first) {
   Faces welded(faces.rows(), 3);
   Eigen::Index count = 0;
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
