@@ -120,8 +120,8 @@ TEST(Attempts, areChangedBeforeAndAfterTheyAreFinished) {
 }
 
 TEST(Attempts, aMapThatClosedHolesLedAstrayScoresFarWorse) {
-  EXPECT_TRUE(patchesLeadAstray(-12, -10.5));
-  EXPECT_FALSE(patchesLeadAstray(-12, -11.5));
+  EXPECT_TRUE(leadsAstray(-12, -10.5));
+  EXPECT_FALSE(leadsAstray(-12, -11.5));
 }
 
 TEST(Attempts, anAnswerThatIsAllButCertainAndNotAstrayStands) {

@@ -38,16 +38,17 @@ Eigen::Isometry3d turn(double angle, const Eigen::Vector3d& axis) {
 
 /// A mesh to lay pieces on, all of it.
 struct Target {
-  explicit Target(TriangleMesh surface) : mesh(std::move(surface)), normals(vertexNormals(mesh)) {}
+  explicit Target(TriangleMesh of)
+      : mesh(std::move(of)), surface(mesh, vertexNormals(mesh), meanEdgeLength(mesh), 3) {}
 
   TargetPart part() const {
     std::vector<int> all(mesh.vertices.rows());
     std::iota(all.begin(), all.end(), 0);
-    return {mesh.vertices, normals, all, meanEdgeLength(mesh), 3};
+    return {surface, all};
   }
 
   TriangleMesh mesh;
-  Points normals;
+  TargetSurface surface;
 };
 
 TriangleMesh movedMesh(const Eigen::Isometry3d& motion, const TriangleMesh& mesh) {
@@ -55,7 +56,10 @@ TriangleMesh movedMesh(const Eigen::Isometry3d& motion, const TriangleMesh& mesh
 }
 
 Piece pieceOf(const TriangleMesh& mesh) {
-  Piece piece{mesh.vertices, vertexNormals(mesh)};
+  Piece piece{mesh.vertices,
+              vertexNormals(mesh),
+              0,
+              boundaryVertices(mesh.faces, static_cast<int>(mesh.vertices.rows()))};
   mesh.vertices.rowwise().norm().minCoeff(&piece.first);
   return piece;
 }
@@ -87,15 +91,22 @@ TEST(DrawPiece, doesNotDependOnFramesAndOrder) {
 
   const Eigen::Isometry3d a = Eigen::Translation3d(5, 0, 3) * turn(2, {1, -1, 3}),
                           b = Eigen::Translation3d(-1, 2, 7) * turn(0.7, {0, 2, 1});
-  const Target elsewhere(movedMesh(b, target.mesh));
-  Piece other = pieceOf(movedMesh(a, piece));
   std::vector<int> order(piece.vertices.rows());
   std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), std::mt19937(3));
+  TriangleMesh shuffled = movedMesh(b, target.mesh);
+  for (std::size_t v = 0; v < order.size(); ++v)
+    shuffled.vertices.row(order[v]) =
+        (b * target.mesh.vertices.row(static_cast<int>(v)).transpose()).transpose();
+  for (int& v : shuffled.faces.reshaped()) v = order[v];
+  const Target elsewhere(shuffled);
+  Piece other = pieceOf(movedMesh(a, piece));
   std::shuffle(order.begin(), order.end(), std::mt19937(4));
   other.first =
       static_cast<int>(std::find(order.begin(), order.end(), in_order.first) - order.begin());
   other.points = Points(other.points(order, Eigen::all));
   other.normals = Points(other.normals(order, Eigen::all));
+  other.on_rim.assign(order.size(), 0);
   const auto there = drawPiece(elsewhere.part(), other, b * a.inverse());
   ASSERT_TRUE(there);
   EXPECT_LT(farthestOff(*there * a, b * *found, piece.vertices), 1e-9);
@@ -117,13 +128,58 @@ TEST(DrawPiece, saysNothingWhereAPieceFitsTwice) {
   EXPECT_FALSE(drawPiece(target.part(), pieceOf(piece), Eigen::Isometry3d::Identity()));
 }
 
+/// What of a mesh lies between two heights, in its own numbering.
+TriangleMesh between(const TriangleMesh& mesh, double low, double high) {
+  std::vector<int> number(mesh.vertices.rows(), -1), kept, faces;
+  for (int v = 0; v < mesh.vertices.rows(); ++v)
+    if (mesh.vertices(v, 2) >= low && mesh.vertices(v, 2) <= high) {
+      number[v] = static_cast<int>(kept.size());
+      kept.push_back(v);
+    }
+  for (int f = 0; f < mesh.faces.rows(); ++f)
+    if ((mesh.faces.row(f).array().unaryExpr([&](int v) { return number[v]; }) >= 0).all())
+      faces.push_back(f);
+  TriangleMesh part{mesh.vertices(kept, Eigen::all), mesh.faces(faces, Eigen::all)};
+  for (int& v : part.faces.reshaped()) v = number[v];
+  return part;
+}
+
+/// An oval leg from -1 to 1, flat at both ends, that is thinner the higher it is counted from
+/// `base`.
+TriangleMesh leg(double base) {
+  TriangleMesh mesh = test::sphere(4);
+  for (auto p : mesh.vertices.rowwise()) {
+    constexpr double SIDES = 0.9;  // of the sphere's height
+    const double round = std::hypot(p.x(), p.y()), height = std::abs(p.z());
+    const double z = std::clamp(p.z() / SIDES, -1.0, 1.0);
+    const double radius =
+        (1 - 0.6 * (z - base)) * (height < SIDES ? 1 : std::sqrt((1 - height) / (1 - SIDES)));
+    const double share = round > 0 ? radius / round : 0;
+    p = Eigen::RowVector3d(0.14 * share * p.x(), 0.1 * share * p.y(), z);
+  }
+  return mesh;
+}
+
+TEST(DrawPiece, aFootIsNotLaidOnTheMiddleOfALeg) {
+  // The other leg has lost its foot; 0.6 below its end it is as thick as this foot.
+  Piece foot = pieceOf(between(leg(0), 0.4, 1));
+  ASSERT_GT(std::count(foot.on_rim.begin(), foot.on_rim.end(), 1), 10);
+  const Target target(between(leg(-0.6), -1, 0.95));
+  const Eigen::Isometry3d there(Eigen::Translation3d(0, 0, -0.6));
+  EXPECT_FALSE(drawPiece(target.part(), foot, there));
+  // If it were open at its end, it could be the middle of a leg.
+  foot.on_rim.assign(foot.on_rim.size(), 1);
+  const auto found = drawPiece(target.part(), foot, there);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->translation().z(), -0.6, 0.05);
+}
+
 TEST(DrawPiece, saysNothingWhereAPieceDoesNotFit) {
   TriangleMesh ball = test::sphere(4);
   ball.vertices *= 0.5;
   const Target target(ball);
   EXPECT_FALSE(drawPiece(target.part(), pieceOf(limb()), Eigen::Isometry3d::Identity()));
-  EXPECT_FALSE(drawPiece(
-      {ball.vertices, target.normals, {}, 0.1, 3}, pieceOf(limb()), Eigen::Isometry3d::Identity()));
+  EXPECT_FALSE(drawPiece({target.surface, {}}, pieceOf(limb()), Eigen::Isometry3d::Identity()));
 }
 
 }  // namespace

@@ -54,6 +54,19 @@ struct Outcome {
   double error = 0;
 };
 
+/// How much longer each edge has become.
+Vector edgeRatios(const TriangleMesh& mesh, const Points& places) {
+  const std::vector<Edge> edges = meshEdges(mesh.faces);
+  Vector ratios(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto length = [&, a = edges[e].first, b = edges[e].second](const Points& points) {
+      return (points.row(a) - points.row(b)).norm();
+    };
+    ratios[static_cast<Eigen::Index>(e)] = length(places) / length(mesh.vertices);
+  }
+  return ratios;
+}
+
 class SeveredArms : public testing::Test {
  protected:
   static double reach() { return body_.rest_position.col(0).maxCoeff(); }
@@ -67,7 +80,8 @@ class SeveredArms : public testing::Test {
     for (const VertexPair& pair : groundTruth(body_, other_)) {
       const auto s = source.of_body.find(pair.source), t = target.of_body.find(pair.target);
       if (s == source.of_body.end() || t == target.of_body.end()) continue;
-      if ((source.is_hand[s->second] != 0) != hand) continue;
+      const bool is_hand = source.is_hand[s->second] != 0 || target.is_hand[t->second] != 0;
+      if (is_hand != hand) continue;
       ++outcome.all;
       const int found = result.correspondence.on_target[s->second].vertex;
       if (found < 0) continue;
@@ -110,6 +124,29 @@ TEST_F(SeveredArms, aHandBeyondAGapFindsItsPlace) {
   EXPECT_LT(body.error, 0.03);
   EXPECT_GT(hand.mapped, 0.8 * hand.all);
   EXPECT_LT(hand.error, 0.04);
+}
+
+TEST_F(SeveredArms, aHandThatTheTargetHasBeyondAGapIsFoundThere) {
+  const Severed source(body_, 1e9, 1e9), target(other_, 0.6 * reach(), 0.7 * reach());
+  ASSERT_GT(std::count(target.is_hand.begin(), target.is_hand.end(), 1), 30);
+  const RegistrationResult result = registerShapes(source.mesh, target.mesh);
+  EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
+  const Outcome body = outcomeOf(result, source, target, false),
+                hand = outcomeOf(result, source, target, true);
+  EXPECT_GT(body.mapped, 0.97 * body.all);
+  EXPECT_LT(body.error, 0.03);
+  EXPECT_GT(hand.mapped, 0.8 * hand.all);
+  EXPECT_LT(hand.error, 0.04);
+  // It lies there as well, and what lies in the gap does between it and the arm.
+  const double edge = meanEdgeLength(target.mesh);
+  for (const auto& [v, number] : source.of_body) {
+    const SurfacePoint& place = result.correspondence.on_target[number];
+    if (place.vertex < 0 || target.is_hand[place.vertex] == 0) continue;
+    EXPECT_LT((result.deformed.row(number) - target.mesh.vertices.row(place.vertex)).norm(),
+              3 * edge);
+  }
+  const Vector stretch = edgeRatios(source.mesh, result.deformed);
+  EXPECT_LT(stretch.maxCoeff(), 3 * result.scale);
 }
 
 TEST_F(SeveredArms, aHandThatTheTargetLacksHasNoCounterpart) {

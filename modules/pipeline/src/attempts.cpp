@@ -22,10 +22,10 @@ constexpr double SAME_ANSWER = 0.1;
 /// A hand, the least part that is a matter of its own, is a fiftieth of a body.
 constexpr double A_PART = 0.02;
 
-/// What closed holes may cost of the score: by so much less, a map is e times less likely to be
+/// What surface put in may cost of the score: by so much less, a map is e times less likely to be
 /// right. Scans, whose maps are better for it, lose up to 0.42; where slits had been closed
 /// that lead across a face, maps that were astray had lost 1.2 and more.
-constexpr double COST_OF_PATCHES = 1;
+constexpr double COST_OF_ADDED = 1;
 
 /// Mean distance between where two answers take what both map; all of the size where they share
 /// less than half.
@@ -115,13 +115,13 @@ bool agreeEverywhere(const std::vector<SurfacePoint>& x,
   return both > 0 && 2 * both >= either && elsewhere < A_PART * both;
 }
 
-bool patchesLeadAstray(double score_as_given, double score_patched) {
-  return score_patched > score_as_given + COST_OF_PATCHES;
+bool leadsAstray(double score_without, double score_with) {
+  return score_with > score_without + COST_OF_ADDED;
 }
 
 bool knownStands(const RegistrationResult& known, double confirming_score) {
   return known.trust >= ALL_BUT_CERTAIN &&
-         !patchesLeadAstray(confirming_score, known.alternatives[known.chosen].score);
+         !leadsAstray(confirming_score, known.alternatives[known.chosen].score);
 }
 
 RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map) {

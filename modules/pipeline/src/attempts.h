@@ -37,8 +37,9 @@ bool agreeEverywhere(const std::vector<SurfacePoint>& x,
                      const TriangleMesh& target,
                      double size);
 
-/// Whether patches lead an answer astray that was found without them too: it then scores far worse.
-bool patchesLeadAstray(double score_as_given, double score_patched);
+/// Whether surface put in, patches or strips, leads an answer astray that was found without it too:
+/// it then scores far worse.
+bool leadsAstray(double score_without, double score_with);
 
 /// Whether an answer found with patches needs no second one that leads to the same places on the
 /// surfaces as they are: it is all but certain, and not astray.

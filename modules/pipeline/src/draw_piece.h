@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <posture/core/types.h>
+#include <posture/core/correspondence.h>
 #include <posture/mesh/point_index.h>
+#include <posture/mesh/vertex_neighbors.h>
 
 #include <Eigen/Geometry>
 
@@ -15,33 +16,48 @@ namespace posture {
 /// In mean edges of a target: what lies this near to its surface lies on it.
 constexpr double ON_SURFACE = 2;
 
+/// How well what lies so far from a surface, in its mean edges, lies on it: in (0, 1].
+double fitAt(double distance);
+
 /// A piece of a body, at the scale of the target; at least one point.
 struct Piece {
-  Points points;   ///< n x 3
-  Points normals;  ///< n x 3
-  int first = 0;   ///< the point where it begins: nearest to the rest of the body
+  Points points;             ///< n x 3
+  Points normals;            ///< n x 3
+  int first = 0;             ///< the point where it begins: nearest to the rest of the body
+  std::vector<char> on_rim;  ///< n; where its surface ends, so that the body goes on there
+  double edge = 0;           ///< its mean edge length
 };
 
-/// Vertices of a target that a piece may come to lie on.
+/// A surface to lay pieces on. Lengths on it are in mean edges unless said otherwise.
+struct TargetSurface {
+  /// \param vertex_normals  n x 3; 0 where there is none.
+  /// \param mean_edge, body_size  its mean edge length and the square root of its area.
+  TargetSurface(TriangleMesh surface, Points vertex_normals, double mean_edge, double body_size);
+
+  std::vector<int> first;  ///< vertex -> the first one at its place
+  TriangleMesh mesh;       ///< faces as given, between these
+  Points normals;
+  VertexNeighbors neighbors;
+  VertexFaces faces_around;
+  double edge, size;
+};
+
+/// What of a surface a piece may come to lie on.
 class TargetPart {
  public:
-  /// \param vertices, normals  of the whole target, n x 3; kept by reference.
-  /// \param part  the vertices that count.
-  /// \param edge, size  the target's mean edge length and the square root of its area.
-  TargetPart(const Points& vertices,
-             const Points& normals,
-             std::vector<int> part,
-             double edge,
-             double size);
+  /// \param surface  kept by reference.
+  /// \param vertices  those that count; of several at one place the first alone.
+  TargetPart(const TargetSurface& surface, std::vector<int> vertices);
 
   bool empty() const { return vertex_.empty(); }
-  double edge() const { return edge_; }
-  double size() const { return size_; }
+  double edge() const { return surface_.edge; }
+  double size() const { return surface_.size; }
 
   struct Near {
-    int vertex = -1;       ///< of the target
-    double distance = 0;   ///< in mean edges
-    bool same_way = true;  ///< both surfaces look the same way
+    SurfacePoint at;           ///< in the faces around the nearest of the vertices that count
+    Eigen::RowVector3d place;  ///< there
+    double distance = 0;       ///< from it
+    bool same_way = true;      ///< both surfaces look the same way
   };
 
   /// \pre not empty.
@@ -50,27 +66,34 @@ class TargetPart {
   /// For each point of a piece. \pre not empty.
   std::vector<Near> nearest(const Piece& piece, const Eigen::Isometry3d& motion) const;
 
-  /// Places of vertices of the target.
-  Points places(const std::vector<int>& vertices) const;
+  /// Of the surface that goes on around a piece laid on it, the share that does so where the piece
+  /// does not end. \pre not empty.
+  double goingOn(const Piece& piece, const Eigen::Isometry3d& motion) const;
+
+  /// Vertices far from each other (farthest-point samples), the first the nearest to a place; of
+  /// those that have a normal and lie within a distance of it, in the unit of the mesh.
+  std::vector<int> spread(const Eigen::RowVector3d& around, double distance, int count) const;
+
+  const TargetSurface& surface() const { return surface_; }
 
  private:
-  const Points &vertices_, &normals_;
+  const TargetSurface& surface_;
   std::vector<int> vertex_;
+  std::vector<char> counts_;  // each vertex of the surface
   std::optional<PointIndex> index_;
-  double edge_, size_;
 };
 
 /// The rows of a matrix, moved.
 Points moved(const Eigen::Isometry3d& motion, const Points& points);
 
-
 /// Whether most of a piece lies on a target so, and looks the same way.
 bool liesOn(const TargetPart& target, const Piece& piece, const Eigen::Isometry3d& motion);
 
-/// Where a piece fits a target: drawn there, as iterated closest points (Besl and McKay 1992), from
-/// a motion and from those that turn it every way about the place where the piece begins, as a
-/// joint may have bent there. Nothing where it fits nowhere, or elsewhere nearly as well, or is of
-/// too few points to tell.
+/// Where a piece fits a target that is not too far from a motion: drawn there, as iterated closest
+/// points (Besl and McKay 1992), from starts that lay places of the one on places of the other.
+/// Nothing where it fits nowhere, or elsewhere nearly as well, or is of too few points to tell; nor
+/// where the target goes on beyond what is no rim of the piece, as a leg does beyond a foot that is
+/// laid on its middle.
 std::optional<Eigen::Isometry3d> drawPiece(const TargetPart& target,
                                            const Piece& piece,
                                            const Eigen::Isometry3d& motion);

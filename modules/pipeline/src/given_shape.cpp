@@ -4,8 +4,26 @@
 
 #include <posture/deformation/follow_matches.h>
 #include <posture/mesh/edges.h>
+#include <posture/mesh/normals.h>
+#include <posture/mesh/vertex_neighbors.h>
+#include <posture/mesh/weld.h>
 
 namespace posture {
+
+Points inputNormals(const GivenShape& shape) {
+  const std::vector<int> first = weld(shape.input.vertices);
+  const Faces faces = weldedFaces(facedAlike(shape.input.faces, shape.clean), first);
+  return vertexNormals({shape.input.vertices, faces})(first, Eigen::all);
+}
+
+std::vector<char> inputRim(const GivenShape& shape) {
+  const std::vector<int> first = weld(shape.input.vertices);
+  const std::vector<char> rim =
+      boundaryVertices(weldedFaces(shape.input.faces, first), static_cast<int>(first.size()));
+  std::vector<char> on_rim;
+  for (int v : first) on_rim.push_back(rim[v]);
+  return on_rim;
+}
 
 ShapeSummary summarize(const GivenShape& shape) {
   ShapeSummary summary;

@@ -25,6 +25,13 @@ struct GivenShape {
   }
 };
 
+/// Normals of all vertices of the input, the way the main surface looks, however it was given; 0 of
+/// a vertex in no face. Vertices at one place have one.
+Points inputNormals(const GivenShape& shape);
+
+/// Whether each vertex of the input lies at a rim, with vertices at one place joined.
+std::vector<char> inputRim(const GivenShape& shape);
+
 /// What cleaning tells of a side; samples and stress are left to the method.
 ShapeSummary summarize(const GivenShape& shape);
 

@@ -3,11 +3,10 @@
 #include "loose_pieces.h"
 
 #include <posture/mesh/edges.h>
-#include <posture/mesh/normals.h>
 #include <posture/mesh/point_index.h>
 #include <posture/mesh/rigid_motion.h>
+#include <posture/mesh/weld.h>
 
-#include "draw_piece.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -51,18 +50,8 @@ std::vector<std::vector<int>> loosePieces(const GivenShape& shape) {
       const int a = shape.input.faces(f, k), b = shape.input.faces(f, (k + 1) % 3);
       if (loose(a) && loose(b)) join(a, b);
     }
-  std::vector<int> by_place(n);
-  std::iota(by_place.begin(), by_place.end(), 0);
-  const auto before = [&](int a, int b) {
-    for (int k = 0; k < 3; ++k)
-      if (shape.input.vertices(a, k) != shape.input.vertices(b, k))
-        return shape.input.vertices(a, k) < shape.input.vertices(b, k);
-    return a < b;
-  };
-  std::sort(by_place.begin(), by_place.end(), before);
-  for (int i = 1; i < n; ++i)
-    if (shape.input.vertices.row(by_place[i]) == shape.input.vertices.row(by_place[i - 1]))
-      join(by_place[i], by_place[i - 1]);
+  const std::vector<int> first = weld(shape.input.vertices);
+  for (int v = 0; v < n; ++v) join(v, first[v]);
 
   std::vector<int> number(n, -1);
   std::vector<std::vector<int>> pieces;
@@ -78,15 +67,11 @@ std::vector<std::vector<int>> loosePieces(const GivenShape& shape) {
   return pieces;
 }
 
-/// The way the main surface looks, however it was given.
-Points normalsOf(const GivenShape& shape) {
-  return vertexNormals({shape.input.vertices, facedAlike(shape.input.faces, shape.clean)});
-}
-
+/// Of those that do not belong to patches.
 template <class Keep>
-std::vector<int> verticesThat(const TriangleMesh& mesh, const Keep& keep) {
+std::vector<int> verticesThat(const GivenShape& shape, const Keep& keep) {
   std::vector<int> kept;
-  for (int v = 0; v < mesh.vertices.rows(); ++v)
+  for (int v = 0; v < shape.ownVertices(); ++v)
     if (keep(v)) kept.push_back(v);
   return kept;
 }
@@ -97,23 +82,25 @@ class Placing {
       : source_(source),
         target_(target),
         result_(result),
-        edge_(meanEdgeLength(target.clean.mesh)),
-        size_(std::sqrt(faceAreas(target.clean.mesh).sum())),
-        source_normals_(normalsOf(source)),
-        target_normals_(normalsOf(target)),
-        target_face_(
-            vertexFaces(target.input.faces, static_cast<int>(target.input.vertices.rows()))),
-        whole_(part(verticesThat(target.input, [&](int v) { return isOwn(v); }))),
-        free_(part(
-            verticesThat(target.input,
-                         [&, claimed = claimed()](int v) { return isOwn(v) && claimed[v] == 0; }))),
+        normals_(inputNormals(source)),
+        rim_(inputRim(source)),
+        edge_(result.scale * meanEdgeLength(source.clean.mesh)),
+        surface_(pieceTarget(target)),
+        whole_(surface_, verticesThat(target, [](int) { return true; })),
+        free_(surface_,
+              verticesThat(target,
+                           [claimed = coveredBy(
+                                source, result, target.input.vertices, ON_SURFACE * surface_.edge)](
+                               int v) { return claimed[v] == 0; })),
         main_(source.input.vertices, source.clean) {}
 
   void place(const std::vector<int>& piece) {
     if (piece.size() < LEAST_PIECE) return placeSingly(piece);
     const Piece scaled{result_.scale * source_.input.vertices(piece, Eigen::all),
-                       source_normals_(piece, Eigen::all),
-                       nearestToMain(piece)};
+                       normals_(piece, Eigen::all),
+                       nearestToMain(piece),
+                       onRim(piece),
+                       edge_};
     const std::optional<Eigen::Isometry3d> beside = motionBeside(piece);
     if (!beside) return leaveOut(piece);
     const bool is_beside = isBeside(piece);
@@ -124,16 +111,12 @@ class Placing {
     if (!is_beside) leaveOut(piece);
   }
 
+  const std::vector<PlacedPiece>& placed() const { return placed_; }
+
  private:
-  bool isOwn(int target_vertex) const { return target_vertex < target_.ownVertices(); }
-
-  TargetPart part(std::vector<int> vertices) const {
-    return {target_.input.vertices, target_normals_, std::move(vertices), edge_, size_};
-  }
-
   bool isBeside(const std::vector<int>& piece) const {
     return std::all_of(piece.begin(), piece.end(), [&](int v) {
-      return result_.scale * source_.clean.offset[v] < BESIDE * size_;
+      return result_.scale * source_.clean.offset[v] < BESIDE * surface_.size;
     });
   }
 
@@ -148,9 +131,8 @@ class Placing {
   }
 
   void match(int v, const TargetPart::Near& near) {
-    const double miss = near.distance / ON_SURFACE;
-    result_.correspondence.on_target[v] = atVertex(near.vertex);
-    result_.correspondence.confidence[v] = result_.trust / (1 + miss * miss);
+    result_.correspondence.on_target[v] = near.at;
+    result_.correspondence.confidence[v] = result_.trust * fitAt(near.distance);
   }
 
   /// The source's main surface, for neighbours.
@@ -178,29 +160,18 @@ class Placing {
     PointIndex index_;
   };
 
-  /// Target vertices where the source's main surface lies.
-  std::vector<char> claimed() const {
-    const Points& deformed = result_.deformed;
-    std::vector<int> mapped;
-    for (int v = 0; v < source_.ownVertices(); ++v)
-      if (!(source_.clean.offset[v] > 0) && result_.correspondence.on_target[v].vertex >= 0)
-        mapped.push_back(v);
-    std::vector<char> claimed(target_.input.vertices.rows(), 0);
-    if (mapped.empty()) return claimed;
-    const PointIndex index(deformed(mapped, Eigen::all));
-    for (std::size_t t = 0; t < claimed.size(); ++t)
-      claimed[t] =
-          index.nearest(target_.input.vertices.row(static_cast<int>(t)).transpose()).distance <
-          ON_SURFACE * edge_;
-    return claimed;
-  }
-
   /// The number in it of the vertex of a piece that is nearest to the main surface.
   int nearestToMain(const std::vector<int>& piece) const {
     const auto nearest = std::min_element(piece.begin(), piece.end(), [&](int a, int b) {
       return source_.clean.offset[a] < source_.clean.offset[b];
     });
     return static_cast<int>(nearest - piece.begin());
+  }
+
+  std::vector<char> onRim(const std::vector<int>& piece) const {
+    std::vector<char> on_rim;
+    for (int v : piece) on_rim.push_back(rim_[v]);
+    return on_rim;
   }
 
   /// That of the main surface around the vertex of it that is nearest to the piece.
@@ -211,7 +182,7 @@ class Placing {
     const auto known = motions_.find(anchor);
     if (known != motions_.end()) return known->second;
     const Eigen::RowVector3d center = all.row(source_.clean.input_vertex[anchor]);
-    const double radius = SURROUNDINGS * size_ / result_.scale;
+    const double radius = SURROUNDINGS * surface_.size / result_.scale;
     // Places of vertices that have a counterpart say more than those of others.
     std::vector<int> around, mapped;
     for (int v : main_.within(center, radius))
@@ -231,6 +202,7 @@ class Placing {
            const Piece& scaled,
            const Eigen::Isometry3d& motion,
            const TargetPart& part) {
+    placed_.push_back({piece, motion});
     result_.deformed(piece, Eigen::all) = moved(motion, scaled.points);
     const std::vector<TargetPart::Near> near = part.nearest(scaled, motion);
     for (std::size_t i = 0; i < piece.size(); ++i)
@@ -238,15 +210,6 @@ class Placing {
         match(piece[i], near[i]);
       else
         leaveOut({piece[i]});
-  }
-
-  SurfacePoint atVertex(int vertex) const {
-    SurfacePoint place;
-    place.vertex = vertex;
-    place.face = target_face_[vertex];
-    for (int k = 0; k < 3 && place.face >= 0; ++k)
-      place.barycentric[k] = target_.input.faces(place.face, k) == vertex;
-    return place;
   }
 
   void leaveOut(const std::vector<int>& piece) {
@@ -258,23 +221,53 @@ class Placing {
 
   const GivenShape &source_, &target_;
   RegistrationResult& result_;
-  double edge_, size_;
-  Points source_normals_, target_normals_;
-  std::vector<int> target_face_;
+  Points normals_;
+  std::vector<char> rim_;
+  double edge_;
+  TargetSurface surface_;
   TargetPart whole_, free_;
   Main main_;
   std::map<int, std::optional<Eigen::Isometry3d>> motions_;  // by the vertex next to the piece
+  std::vector<PlacedPiece> placed_;
 };
 
 }  // namespace
 
-void placeLoosePieces(const GivenShape& source,
-                      const GivenShape& target,
-                      RegistrationResult& result) {
+std::vector<char> coveredBy(const GivenShape& shape,
+                            const RegistrationResult& result,
+                            const Points& places,
+                            double reach) {
+  const std::vector<int> mapped = verticesThat(shape, [&](int v) {
+    return !(shape.clean.offset[v] > 0) && result.correspondence.on_target[v].vertex >= 0;
+  });
+  std::vector<char> covered(places.rows(), 0);
+  if (mapped.empty()) return covered;
+  constexpr double UNIT = 1;  // distances as they are
+  const TargetSurface surface(
+      {result.deformed, shape.input.faces}, Points::Zero(result.deformed.rows(), 3), UNIT, UNIT);
+  const TargetPart part(surface, mapped);
+  for (Eigen::Index i = 0; i < places.rows(); ++i)
+    covered[static_cast<std::size_t>(i)] = part.nearest(places.row(i)).distance < reach;
+  return covered;
+}
+
+TargetSurface pieceTarget(const GivenShape& target) {
+  return {target.input,
+          inputNormals(target),
+          meanEdgeLength(target.clean.mesh),
+          std::sqrt(faceAreas(target.clean.mesh).sum())};
+}
+
+bool hasLoosePieces(const GivenShape& shape) { return (shape.clean.offset.array() > 0).any(); }
+
+std::vector<PlacedPiece> placeLoosePieces(const GivenShape& source,
+                                          const GivenShape& target,
+                                          RegistrationResult& result) {
   const std::vector<std::vector<int>> pieces = loosePieces(source);
-  if (pieces.empty()) return;
+  if (pieces.empty()) return {};
   Placing placing(source, target, result);
   for (const std::vector<int>& piece : pieces) placing.place(piece);
+  return placing.placed();
 }
 
 }  // namespace posture

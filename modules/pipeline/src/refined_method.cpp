@@ -119,11 +119,12 @@ std::vector<AlternativeSummary> summarizeAnswers(const PosedSide& source,
 Points deformedInput(const PosedSide& source,
                      const RefinedShape& scaled,
                      const PosedSide& target,
-                     const FullMap& full) {
+                     const FullMap& full,
+                     const OnPieces& on_pieces) {
   return target.pose.outOf(placesOfInput(source.given,
                                          scaled.full,
                                          std::vector<char>(full.places.size(), 1),
-                                         placesOfWhole(source, scaled, target, full),
+                                         placesOfWhole(source, scaled, target, full, on_pieces),
                                          source.pose.into(source.given.input.vertices)));
 }
 
@@ -263,13 +264,19 @@ RegistrationResult finishMap(const ChosenMap& chosen,
   });
   const RefinedShape scaled = rescaled(source.shape, best.scale);
   clock.stage("completion", 0.1, [&] {
-    result.deformed = deformedInput(source, scaled, target, full);
+    TargetOnSource there;
+    if (options.both_ways || hasLoosePieces(target.given))
+      there = targetOnSource(source, scaled, target, full, result);
+    const OnPieces on_pieces = onPieces(source.given, target.given, there.back, there.pieces);
+    result.deformed = deformedInput(source, scaled, target, full, on_pieces);
+    addMatches(source.given, on_pieces, result);
     placeLoosePieces(source.given, target.given, result);
     giveVerdict(result);
+    if (options.both_ways) {
+      result.back = WayBack{std::move(there.back.correspondence)};
+      measureMiss(source.given, target.given.input, result.correspondence, *result.back);
+    }
   });
-  if (options.both_ways)
-    clock.stage(
-        "way back", 0.0, [&] { result.back = wayBack(source, scaled, target, full, result); });
   if (options.refine_alternatives)
     clock.stage("alternatives", 0.0, [&] { refineAlternatives(chosen, result); });
   return result;

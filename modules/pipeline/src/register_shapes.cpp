@@ -106,7 +106,7 @@ RegistrationResult bestOfBoth(Attempt as_given,
     attempts.push_back(std::move(closed));
     return bestAttempt(std::move(attempts), target, options, clock);
   }
-  const bool astray = patchesLeadAstray(as_given.found.score, closed.found.score);
+  const bool astray = leadsAstray(as_given.found.score, closed.found.score);
   Attempt &better = astray ? as_given : closed, &other = astray ? closed : as_given;
   std::optional<RegistrationResult> map = clock.tryTo([&] { return finished(std::move(better)); });
   if (!map) return finished(std::move(other));
@@ -219,7 +219,7 @@ RegistrationResult registerMeshes(const GivenShape& source,
       std::max(shareInPieces(source.clean), shareInPieces(target.clean)) > A_LIMB)
     joined = registerJoined(source, target, options, clock);
   if (joined && isSameAnswer(main, *joined, target.input) && joined->status == Status::REGISTERED &&
-      mappedShare(*joined) > mapped + CLEARLY_MORE)
+      !leadsAstray(main.score, joined->score) && mappedShare(*joined) > mapped + CLEARLY_MORE)
     return std::move(*joined);
   std::vector<Attempt> attempts;
   attempts.push_back({std::move(main), {}});

@@ -5,7 +5,6 @@
 #include <posture/mesh/edges.h>
 #include <posture/mesh/position_of.h>
 
-#include "loose_pieces.h"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -56,13 +55,14 @@ void measureMiss(const GivenShape& source,
   back.percentile_95_miss = *at_95 / size;
 }
 
-WayBack wayBack(const PosedSide& source,
-                const RefinedShape& scaled,
-                const PosedSide& target,
-                const FullMap& there,
-                const RegistrationResult& result) {
+TargetOnSource targetOnSource(const PosedSide& source,
+                              const RefinedShape& scaled,
+                              const PosedSide& target,
+                              const FullMap& there,
+                              const RegistrationResult& result) {
   const FullMap map = reversed(scaled, target.shape, there);
-  RegistrationResult back;
+  TargetOnSource found;
+  RegistrationResult& back = found.back;
   back.scale = 1 / result.scale;
   back.trust = result.trust;
   back.correspondence =
@@ -72,10 +72,8 @@ WayBack wayBack(const PosedSide& source,
                                                   std::vector<char>(map.places.size(), 1),
                                                   map.pair.bent_a,
                                                   target.pose.into(target.given.input.vertices)));
-  placeLoosePieces(target.given, source.given, back);
-  WayBack way{std::move(back.correspondence)};
-  measureMiss(source.given, target.given.input, result.correspondence, way);
-  return way;
+  found.pieces = placeLoosePieces(target.given, source.given, back);
+  return found;
 }
 
 }  // namespace posture

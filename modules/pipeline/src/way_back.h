@@ -2,19 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "loose_pieces.h"
 #include "posed_side.h"
 #include "refined_result.h"
+#include <vector>
 
 namespace posture {
 
 /// The other direction of a full map, in terms of the vertices and faces as they were given.
+struct TargetOnSource {
+  RegistrationResult back;          ///< scale, trust, correspondence and deformed are set
+  std::vector<PlacedPiece> pieces;  ///< of the target that found a place on the source
+};
+
 /// \param scaled  the source's meshes at the scale of the map.
-/// \param result  of the way there: correspondence, scale and trust are set.
-WayBack wayBack(const PosedSide& source,
-                const RefinedShape& scaled,
-                const PosedSide& target,
-                const FullMap& there,
-                const RegistrationResult& result);
+/// \param result  of the way there: scale and trust are set.
+TargetOnSource targetOnSource(const PosedSide& source,
+                              const RefinedShape& scaled,
+                              const PosedSide& target,
+                              const FullMap& there,
+                              const RegistrationResult& result);
 
 /// How well both ways agree, into the way back.
 void measureMiss(const GivenShape& source,

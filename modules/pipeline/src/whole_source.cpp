@@ -52,6 +52,31 @@ std::vector<char> withoutOwnPartner(const GivenShape& target,
   return without;
 }
 
+/// Lays what is on pieces of the target there; what is beside them has no partner, and vertices put
+/// into faces at either lie as the rest does.
+void layOnPieces(const GivenShape& given,
+                 const RefinedShape& shape,
+                 const Pose& target_pose,
+                 const OnPieces& on_pieces,
+                 Points& places,
+                 std::vector<char>& without) {
+  const auto own = given.clean.mesh.vertices.rows();
+  std::vector<char> concerned(own, 0);
+  for (int v : on_pieces.vertex) concerned[v] = 1;
+  for (int v : on_pieces.in_gap) concerned[v] = 1;
+  if (!shape.parts.empty())
+    for (Eigen::Index f = 0; f < shape.full.faces.rows(); ++f) {
+      const auto corners = given.clean.mesh.faces.row(shape.parts[f].face);
+      if (concerned[corners[0]] == 0 && concerned[corners[1]] == 0 && concerned[corners[2]] == 0)
+        continue;
+      for (int v : shape.full.faces.row(f))
+        if (v >= own) without[v] = 1;
+    }
+  places(on_pieces.vertex, Eigen::all) = target_pose.into(on_pieces.places);
+  for (int v : on_pieces.vertex) without[v] = 0;
+  for (int v : on_pieces.in_gap) without[v] = 1;
+}
+
 /// First what was given, as patches say nothing of how it lies; then patches, as it goes.
 Points extended(const TriangleMesh& whole,
                 const Faces& own,
@@ -67,19 +92,25 @@ Points extended(const TriangleMesh& whole,
 Points placesOfWhole(const PosedSide& source,
                      const RefinedShape& scaled,
                      const PosedSide& target,
-                     const FullMap& map) {
+                     const FullMap& map,
+                     const OnPieces& on_pieces) {
   const TriangleMesh &whole = scaled.full, &onto = target.shape.full;
   try {
     Completion completion =
         completeDeformation(whole, map.pair.bent_a, matchesOf(whole, map), onto);
-    if (completion.places.allFinite())
+    if (completion.places.allFinite()) {
+      std::vector<char> without = withoutOwnPartner(target.given, onto.faces, map);
+      layOnPieces(source.given, scaled, target.pose, on_pieces, completion.places, without);
       return extended({completion.scale * whole.vertices, whole.faces},
                       withoutPatches(source.given, scaled),
-                      withoutOwnPartner(target.given, onto.faces, map),
+                      without,
                       std::move(completion.places));
+    }
   } catch (const std::invalid_argument&) {  // no shape to encode: all in one line
   }
-  return map.pair.bent_a;
+  Points places = map.pair.bent_a;
+  places(on_pieces.vertex, Eigen::all) = target.pose.into(on_pieces.places);
+  return places;
 }
 
 }  // namespace posture

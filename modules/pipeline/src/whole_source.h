@@ -4,6 +4,7 @@
 
 #include "posed_side.h"
 #include "refined_result.h"
+#include "target_pieces.h"
 
 namespace posture {
 
@@ -11,10 +12,12 @@ namespace posture {
 /// and the map's matches; what has none, or one on a patch, lies as the surface around it goes. The
 /// bent surface itself where the completion refuses the source.
 /// \param scaled  the source at the scale of the map.
+/// \param on_pieces  vertices that lie on pieces of the target.
 /// \return in the frame of the target's working meshes.
 Points placesOfWhole(const PosedSide& source,
                      const RefinedShape& scaled,
                      const PosedSide& target,
-                     const FullMap& map);
+                     const FullMap& map,
+                     const OnPieces& on_pieces);
 
 }  // namespace posture
