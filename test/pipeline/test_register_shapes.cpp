@@ -34,6 +34,15 @@ RegistrationOptions published() {
   return options;
 }
 
+/// When a stage of an attempt took its turn; the end: never.
+auto turnOf(const RegistrationResult& result,
+            const std::string& attempt,
+            const std::string& stage) {
+  return std::find_if(result.timings.begin(), result.timings.end(), [&](const StageTiming& t) {
+    return t.attempt == attempt && t.stage == stage;
+  });
+}
+
 /// The vertices a correspondence maps to.
 std::vector<int> verticesOf(const Correspondence& correspondence) {
   std::vector<int> vertices;
@@ -86,6 +95,7 @@ TEST(RegisterShapes, isOnTheRightSideAndExactToAnEdge) {
   const RegistrationResult result = registerShapes(source.mesh, target.mesh);
   EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
   EXPECT_EQ(result.source_denoised.rows() + result.target_denoised.rows(), 0) << "clean meshes";
+  EXPECT_EQ(turnOf(result, "", "tips"), result.timings.end()) << "nothing is missing";
   const std::vector<VertexPair> truth = groundTruth(source, target);
   const double edge = result.target.mean_edge_length / std::sqrt(result.target.area);
   EXPECT_LT(meanError(verticesOf(result.correspondence), truth, result, target.mesh), edge);
@@ -234,9 +244,7 @@ TEST(RegisterShapes, holesAreClosedForTheSearchAndHaveNoRow) {
   EXPECT_GE(result.target.patched_holes, 4);
   // The surfaces as they are come second and lead to the same answer: there they end.
   const auto begins = [&](const std::string& attempt, const std::string& stage) {
-    return std::find_if(result.timings.begin(), result.timings.end(), [&](const StageTiming& t) {
-      return t.attempt == attempt && t.stage == stage;
-    });
+    return turnOf(result, attempt, stage);
   };
   EXPECT_LT(begins("patched", "refinement"), begins("", "spectrum"));
   EXPECT_NE(begins("patched", "letting go"), result.timings.end());
@@ -419,6 +427,7 @@ TEST(RegisterShapes, doesNotPretendToKnowUnrelatedShapes) {
   const RegistrationResult result = registerShapes(test::sphere(4), body(0).mesh);
   EXPECT_EQ(result.status, Status::UNDECIDED);
   EXPECT_FALSE(result.message.empty());
+  EXPECT_NE(turnOf(result, "", "tips"), result.timings.end()) << "no map convinces";
 }
 
 }  // namespace

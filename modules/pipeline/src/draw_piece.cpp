@@ -22,9 +22,9 @@ constexpr double REACH = 0.35;
 /// Of a piece's vertices, to call it placed.
 constexpr double MOST = 0.6;
 
-/// In edges: how far off in the mean a piece that fits is, and that a perfect fit may be; a point
-/// counts FARTHEST at most.
-constexpr double FITS = 0.5, PERFECT = 0.1, FARTHEST = 4;
+/// In edges: how far off in the mean a piece that fits is at most, where it is expected and at the
+/// end of its reach, and that a perfect fit may be; a point counts FARTHEST at most.
+constexpr double FITS_HERE = 0.8, FITS_FAR = 0.5, PERFECT = 0.1, FARTHEST = 4;
 
 /// Of two places so far apart in the mean, in sizes of the body, where the misfit of one is less
 /// than so many times that of the other, it is open which is right.
@@ -345,6 +345,10 @@ std::optional<Eigen::Isometry3d> drawPiece(const TargetPart& target,
     return at * Eigen::Vector3d(piece.points.row(piece.first));
   };
   const double reach = REACH * target.size();
+  // How far from where it is expected it begins, in its reach.
+  const auto shift = [&](const Eigen::Isometry3d& at) {
+    return (begins(at) - begins(motion)).norm() / reach;
+  };
   const Piece few = thinned(piece, FEW), fewer = thinned(few, FEWER);
   const std::vector<Eigen::Isometry3d> starts =
       startsFrom(target,
@@ -358,19 +362,22 @@ std::optional<Eigen::Isometry3d> drawPiece(const TargetPart& target,
   fits.erase(std::remove_if(fits.begin(),
                             fits.end(),
                             [&](const Fit& fit) {
-                              return fit.misfit >= AS_WELL * FITS ||
-                                     (begins(fit.motion) - begins(motion)).norm() > reach ||
+                              return fit.misfit >= AS_WELL * FITS_HERE || shift(fit.motion) > 1 ||
                                      target.goingOn(piece, fit.motion) > MOST_GOING_ON;
                             }),
              fits.end());
-  if (fits.empty() || !(fits.front().misfit < FITS) || !liesOn(target, piece, fits.front().motion))
-    return {};
-  const Points places = moved(fits.front().motion, few.points);
+  if (fits.empty()) return {};
+  const Fit& best_fit = fits.front();
+  const auto fitsAtAll = [&](const Fit& fit) {
+    return fit.misfit < FITS_HERE + (FITS_FAR - FITS_HERE) * shift(fit.motion);
+  };
+  if (!fitsAtAll(best_fit) || !liesOn(target, piece, best_fit.motion)) return {};
+  const Points places = moved(best_fit.motion, few.points);
   for (const Fit& fit : fits)
-    if (fit.misfit < AS_WELL * std::max(PERFECT, fits.front().misfit) &&
+    if (fitsAtAll(fit) && fit.misfit < AS_WELL * std::max(PERFECT, best_fit.misfit) &&
         meanDistance(moved(fit.motion, few.points), places) > ELSEWHERE * target.size())
       return {};
-  return fits.front().motion;
+  return best_fit.motion;
 }
 
 }  // namespace posture
