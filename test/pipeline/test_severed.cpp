@@ -93,6 +93,19 @@ class SeveredArms : public testing::Test {
     return outcome;
   }
 
+  /// The hand as well, although a gap is before it on one side.
+  void expectFound(const RegistrationResult& result,
+                   const Severed& source,
+                   const Severed& target) const {
+    EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
+    const Outcome body = outcomeOf(result, source, target, false),
+                  hand = outcomeOf(result, source, target, true);
+    EXPECT_GT(body.mapped, 0.97 * body.all);
+    EXPECT_LT(body.error, 0.03);
+    EXPECT_GT(hand.mapped, 0.8 * hand.all);
+    EXPECT_LT(hand.error, 0.04);
+  }
+
   /// Of what lies farther out along one arm than that, which the target lacks.
   static Outcome outcomeBeyond(const RegistrationResult& result,
                                const Severed& source,
@@ -117,26 +130,14 @@ TEST_F(SeveredArms, aHandBeyondAGapFindsItsPlace) {
   const Severed source(body_, 0.6 * reach(), 0.7 * reach()), target(other_, 1e9, 1e9);
   ASSERT_GT(std::count(source.is_hand.begin(), source.is_hand.end(), 1), 30);
   const RegistrationResult result = registerShapes(source.mesh, target.mesh);
-  EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
-  const Outcome body = outcomeOf(result, source, target, false),
-                hand = outcomeOf(result, source, target, true);
-  EXPECT_GT(body.mapped, 0.97 * body.all);
-  EXPECT_LT(body.error, 0.03);
-  EXPECT_GT(hand.mapped, 0.8 * hand.all);
-  EXPECT_LT(hand.error, 0.04);
+  expectFound(result, source, target);
 }
 
 TEST_F(SeveredArms, aHandThatTheTargetHasBeyondAGapIsFoundThere) {
   const Severed source(body_, 1e9, 1e9), target(other_, 0.6 * reach(), 0.7 * reach());
   ASSERT_GT(std::count(target.is_hand.begin(), target.is_hand.end(), 1), 30);
   const RegistrationResult result = registerShapes(source.mesh, target.mesh);
-  EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
-  const Outcome body = outcomeOf(result, source, target, false),
-                hand = outcomeOf(result, source, target, true);
-  EXPECT_GT(body.mapped, 0.97 * body.all);
-  EXPECT_LT(body.error, 0.03);
-  EXPECT_GT(hand.mapped, 0.8 * hand.all);
-  EXPECT_LT(hand.error, 0.04);
+  expectFound(result, source, target);
   // It lies there as well, and what lies in the gap does between it and the arm.
   const double edge = meanEdgeLength(target.mesh);
   for (const auto& [v, number] : source.of_body) {

@@ -4,9 +4,7 @@
 
 #include <posture/core/parallel.h>
 #include <posture/mesh/moment_axes.h>
-#include <posture/mesh/nearest_in_triangle.h>
 #include <posture/mesh/rigid_motion.h>
-#include <posture/mesh/weld.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +31,8 @@ constexpr double ELSEWHERE = 0.1, AS_WELL = 2;
 /// So much of what goes on around a piece may do so where the piece does not end.
 constexpr double MOST_GOING_ON = 0.1;
 
-/// Fewer points do not tell where they belong, nor does what is smaller than half a hand: in sizes
-/// of the body.
+/// Fewer points do not tell where they belong, nor does what is smaller than a hand: in sizes of
+/// the body.
 constexpr Eigen::Index LEAST_DRAWN = 30;
 constexpr double LEAST_EXTENT = 0.05;
 
@@ -78,19 +76,6 @@ Piece thinned(const Piece& piece, int most) {
   for (int i = 0; i < few; ++i)
     chosen[i] = order[static_cast<std::size_t>(i) * static_cast<std::size_t>(n) / few];
   return some(piece, chosen);
-}
-
-/// Rows far from each other, from the given one on.
-std::vector<int> farthestPoints(const Points& points, int first, int count) {
-  std::vector<int> chosen{first};
-  Vector distance = (points.rowwise() - points.row(first)).rowwise().norm();
-  while (static_cast<int>(chosen.size()) < count) {
-    int farthest = 0;
-    if (!(distance.maxCoeff(&farthest) > 0)) break;
-    chosen.push_back(farthest);
-    distance = distance.cwiseMin((points.rowwise() - points.row(farthest)).rowwise().norm());
-  }
-  return chosen;
 }
 
 /// Motions that lay places of a piece on places of the target and their normals on the normals
@@ -149,12 +134,6 @@ double misfit(const TargetPart& target, const Piece& piece, const Eigen::Isometr
   return sum / static_cast<double>(near.size());
 }
 
-/// Faces between the first vertices at each place.
-TriangleMesh between(TriangleMesh mesh, const std::vector<int>& first) {
-  for (int& v : mesh.faces.reshaped()) v = first[v];
-  return mesh;
-}
-
 double meanDistance(const Points& a, const Points& b) { return (a - b).rowwise().norm().mean(); }
 
 struct Fit {
@@ -200,130 +179,6 @@ std::vector<Eigen::Isometry3d> different(const std::vector<Fit>& fits,
 }
 
 }  // namespace
-
-double fitAt(double distance) {
-  const double miss = distance / ON_SURFACE;
-  return 1 / (1 + miss * miss);
-}
-
-TargetSurface::TargetSurface(TriangleMesh surface,
-                             Points vertex_normals,
-                             double mean_edge,
-                             double body_size)
-    : first(weld(surface.vertices)),
-      mesh(between(std::move(surface), first)),
-      normals(std::move(vertex_normals)),
-      neighbors(mesh.faces, static_cast<int>(first.size())),
-      faces_around(mesh.faces, static_cast<int>(first.size())),
-      edge(mean_edge),
-      size(body_size) {}
-
-TargetPart::TargetPart(const TargetSurface& surface, std::vector<int> vertices)
-    : surface_(surface), vertex_(std::move(vertices)), counts_(surface.mesh.vertices.rows(), 0) {
-  const auto is_copy = [&](int v) { return surface.first[v] != v; };
-  vertex_.erase(std::remove_if(vertex_.begin(), vertex_.end(), is_copy), vertex_.end());
-  for (int v : vertex_) counts_[v] = 1;
-  if (!vertex_.empty()) index_.emplace(surface.mesh.vertices(vertex_, Eigen::all));
-}
-
-TargetPart::Near TargetPart::nearest(const Eigen::RowVector3d& place) const {
-  const TriangleMesh& mesh = surface_.mesh;
-  Near near;
-  near.at.vertex = vertex_[index_->nearest(place.transpose()).index];
-  near.place = mesh.vertices.row(near.at.vertex);
-  double least = (near.place - place).norm();
-  const VertexFaces& around = surface_.faces_around;
-  for (const int* f = around.begin(near.at.vertex); f != around.end(near.at.vertex); ++f) {
-    const Eigen::RowVector3i corners = mesh.faces.row(*f);
-    const Eigen::Matrix3d places = mesh.vertices(corners, Eigen::all);
-    const Eigen::Vector3d at = nearestInTriangle<Eigen::Vector3d>(
-        place.transpose(), places.row(0), places.row(1), places.row(2));
-    const Eigen::RowVector3d there = at.transpose() * places;
-    const double distance = (there - place).norm();
-    if (near.at.face >= 0 && !(distance < least)) continue;
-    least = std::min(least, distance);
-    near.place = there;
-    near.at.face = *f;
-    near.at.barycentric = at;
-  }
-  near.distance = least / surface_.edge;
-  return near;
-}
-
-std::vector<TargetPart::Near> TargetPart::nearest(const Piece& piece,
-                                                  const Eigen::Isometry3d& motion) const {
-  const Points places = moved(motion, piece.points);
-  std::vector<Near> near;
-  for (int i = 0; i < places.rows(); ++i) {
-    near.push_back(nearest(places.row(i)));
-    const Eigen::Vector3d normal = motion.linear() * piece.normals.row(i).transpose();
-    near.back().same_way = normal.dot(surface_.normals.row(near.back().at.vertex)) >= 0;
-  }
-  return near;
-}
-
-double TargetPart::goingOn(const Piece& piece, const Eigen::Isometry3d& motion) const {
-  const Points& vertices = surface_.mesh.vertices;
-  const Points places = moved(motion, piece.points);
-  const PointIndex on_piece(places);
-  std::vector<int> rim;
-  for (int i = 0; i < places.rows(); ++i)
-    if (piece.on_rim[i] != 0) rim.push_back(i);
-  if (rim.size() == piece.on_rim.size()) return 0;
-  const std::optional<PointIndex> on_rim =
-      rim.empty() ? std::nullopt : std::make_optional<PointIndex>(places(rim, Eigen::all));
-  // Between the points of a coarse piece its surface goes on, too.
-  const double beyond = FARTHEST * std::max(edge(), piece.edge);
-  const auto isNearRim = [&](int i) {
-    return on_rim && on_rim->nearest(places.row(i).transpose()).distance < beyond;
-  };
-  // From where the piece lies on, as far as it is near.
-  std::vector<int> reached;
-  std::vector<char> seen(vertices.rows(), 0);
-  const auto reach = [&](int v) {
-    if (seen[v] != 0 || counts_[v] == 0) return;
-    seen[v] = 1;
-    reached.push_back(v);
-  };
-  for (const Near& near : nearest(piece, motion))
-    if (near.distance < ON_SURFACE && near.same_way) reach(near.at.vertex);
-  int ends = 0, goes_on = 0;
-  for (std::size_t k = 0; k < reached.size(); ++k) {
-    const int v = reached[k];
-    const PointIndex::Neighbor near = on_piece.nearest(vertices.row(v).transpose());
-    if (near.distance > 2 * beyond) continue;
-    if (near.distance > beyond) ++(isNearRim(near.index) ? ends : goes_on);
-    std::for_each(surface_.neighbors.begin(v), surface_.neighbors.end(v), reach);
-  }
-  return goes_on == 0 ? 0 : static_cast<double>(goes_on) / (ends + goes_on);
-}
-
-std::vector<int> TargetPart::spread(const Eigen::RowVector3d& around,
-                                    double distance,
-                                    int count) const {
-  std::vector<int> within;
-  Eigen::Index first = 0;
-  double least = distance;
-  for (int v : vertex_) {
-    const double d = (surface_.mesh.vertices.row(v) - around).norm();
-    if (!(d < distance) || !(surface_.normals.row(v).squaredNorm() > 0)) continue;
-    if (d < least) {
-      least = d;
-      first = static_cast<Eigen::Index>(within.size());
-    }
-    within.push_back(v);
-  }
-  if (within.empty()) return within;
-  std::vector<int> chosen;
-  for (int i :
-       farthestPoints(surface_.mesh.vertices(within, Eigen::all), static_cast<int>(first), count))
-    chosen.push_back(within[i]);
-  return chosen;
-}
-
-Points moved(const Eigen::Isometry3d& motion, const Points& points) {
-  return (points * motion.linear().transpose()).rowwise() + motion.translation().transpose();
-}
 
 bool liesOn(const TargetPart& target, const Piece& piece, const Eigen::Isometry3d& motion) {
   if (target.empty()) return false;
