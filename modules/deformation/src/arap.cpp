@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace posture {
@@ -20,8 +22,9 @@ namespace {
 using Sparse = Eigen::SparseMatrix<double>;
 using Order = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
-/// The factors L D L' of a matrix whose rows are in order already.
-using Factors = Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+/// The factors L D L' of a matrix whose rows are in order already, of which they are made without a
+/// copy.
+using Factors = Eigen::SimplicialLDLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>>;
 
 /// Solves for all three columns at once: Eigen goes through the factors for one after the other.
 void solveInPlace(const Factors& factors, Points& x) {
@@ -40,43 +43,47 @@ void solveInPlace(const Factors& factors, Points& x) {
 
 }  // namespace
 
+/// All that is said of a vertex here is in the order in which few entries fill in when systems are
+/// factored, which also keeps neighbours near each other in memory.
 struct Arap::Impl {
   /// Of positive weight; looked at once for both its ends.
   struct Edge {
-    int i, j;
+    int i, j;  ///< i < j
     double weight;
     Eigen::RowVector3d rest;  ///< from j to i
   };
 
   Eigen::Index vertices() const { return mass.size(); }
 
-  std::vector<Edge> edges;
-  Sparse weights;  // n x n, graph Laplacian of the weights w_ij >= 0
-  Order order;     // in which few entries fill in when it is factored
+  Order order;  ///< from the mesh's order to this one
   Vector mass;
+  std::vector<Edge> edges;  ///< by j, then i
+  std::vector<int> begin;   ///< of the edges with each j; one more, their end
 
-  std::vector<Eigen::Matrix3d> rotations(const Points& p) const;
-  Points rigidPull(const std::vector<Eigen::Matrix3d>& r, const Vector& stiffness) const;
+  void rotations(const Points& p, std::vector<Eigen::Matrix3d>& r) const;
+  void addRigidPull(const std::vector<Eigen::Matrix3d>& r,
+                    const Vector& stiffness,
+                    Points& b) const;
   Vector cellStiffness(const Points& p) const;
-  Sparse weightsWith(const Vector& stiffness) const;
-  double energy(const Points& p, const std::vector<Eigen::Matrix3d>& r) const;
+  Sparse system(const Vector& stiffness, const Vector& strength) const;
+  double energy(const Points& p) const;
 };
 
-std::vector<Eigen::Matrix3d> Arap::Impl::rotations(const Points& p) const {
-  std::vector<Eigen::Matrix3d> r(vertices(), Eigen::Matrix3d::Zero());
+void Arap::Impl::rotations(const Points& p, std::vector<Eigen::Matrix3d>& r) const {
+  r.assign(vertices(), Eigen::Matrix3d::Zero());
   for (const Edge& e : edges) {
     const Eigen::Matrix3d moved = (e.weight * (p.row(e.i) - p.row(e.j))).transpose() * e.rest;
     r[e.i] += moved;
     r[e.j] += moved;
   }
   toNearestRotations(r);
-  return r;
 }
 
 /// Weights by which squares act like the Charbonnier function of each vertex's strain, whose scale
 /// is the median strain: lengths add up beyond it instead of squares.
 Vector Arap::Impl::cellStiffness(const Points& p) const {
-  const std::vector<Eigen::Matrix3d> r = rotations(p);
+  std::vector<Eigen::Matrix3d> r;
+  rotations(p, r);
   Vector change = Vector::Zero(vertices()), length = change;
   for (const Edge& e : edges) {
     const Eigen::Vector3d bent = (p.row(e.i) - p.row(e.j)).transpose();
@@ -92,9 +99,10 @@ Vector Arap::Impl::cellStiffness(const Points& p) const {
   return (1 + strain.array() / std::max(RIGID, typical)).rsqrt();
 }
 
-/// The right-hand side the rotated edges at rest make.
-Points Arap::Impl::rigidPull(const std::vector<Eigen::Matrix3d>& r, const Vector& stiffness) const {
-  Points b = Points::Zero(vertices(), 3);
+/// Adds the right-hand side the rotated edges at rest make.
+void Arap::Impl::addRigidPull(const std::vector<Eigen::Matrix3d>& r,
+                              const Vector& stiffness,
+                              Points& b) const {
   for (const Edge& e : edges) {
     const Eigen::RowVector3d turned =
         0.5 * e.weight *
@@ -102,28 +110,36 @@ Points Arap::Impl::rigidPull(const std::vector<Eigen::Matrix3d>& r, const Vector
     b.row(e.i) += turned;
     b.row(e.j) -= turned;
   }
-  return b;
 }
 
-/// The weights with each vertex's share of an edge multiplied by its stiffness.
-Sparse Arap::Impl::weightsWith(const Vector& stiffness) const {
-  Sparse scaled = weights;
-  for (int j = 0; j < scaled.outerSize(); ++j) {
-    double sum = 0, *diagonal = nullptr;
-    for (Sparse::InnerIterator it(scaled, j); it; ++it) {
-      if (it.row() == j) {
-        diagonal = &it.valueRef();
-        continue;
-      }
-      it.valueRef() *= 0.5 * (stiffness[it.row()] + stiffness[j]);
-      sum -= it.value();
+/// The upper triangle of the weights' Laplacian, with each vertex's share of an edge multiplied by
+/// its stiffness, and the strength of the goals.
+Sparse Arap::Impl::system(const Vector& stiffness, const Vector& strength) const {
+  const auto n = vertices();
+  Sparse upper(n, n);
+  upper.resizeNonZeros(static_cast<Eigen::Index>(edges.size()) + n);
+  Vector diagonal = strength;
+  Eigen::Index entry = 0;
+  for (int j = 0; j < n; ++j) {
+    upper.outerIndexPtr()[j] = static_cast<int>(entry);
+    for (int k = begin[j]; k < begin[j + 1]; ++k, ++entry) {
+      const Edge& e = edges[k];
+      const double weight = 0.5 * (stiffness[e.i] + stiffness[e.j]) * e.weight;
+      upper.innerIndexPtr()[entry] = e.i;
+      upper.valuePtr()[entry] = -weight;
+      diagonal[e.i] += weight;
+      diagonal[e.j] += weight;
     }
-    *diagonal = sum;
+    upper.innerIndexPtr()[entry++] = j;
   }
-  return scaled;
+  upper.outerIndexPtr()[n] = static_cast<int>(entry);
+  for (int j = 0; j < n; ++j) upper.valuePtr()[upper.outerIndexPtr()[j + 1] - 1] = diagonal[j];
+  return upper;
 }
 
-double Arap::Impl::energy(const Points& p, const std::vector<Eigen::Matrix3d>& r) const {
+double Arap::Impl::energy(const Points& p) const {
+  std::vector<Eigen::Matrix3d> r;
+  rotations(p, r);
   double sum = 0;
   for (const Edge& e : edges) {
     const Eigen::Vector3d bent = (p.row(e.i) - p.row(e.j)).transpose();
@@ -137,25 +153,24 @@ Arap::Arap(const TriangleMesh& rest, const Laplacian& laplacian) {
   const int n = static_cast<int>(rest.vertices.rows());
   require(laplacian.mass.size() == n, "Arap: the Laplacian is of another mesh");
   auto impl = std::make_unique<Impl>();
-  impl->mass = laplacian.mass;
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(laplacian.stiffness.nonZeros() + n);
-  for (int j = 0; j < n; ++j) {
-    entries.emplace_back(j, j, 0.0);
-    for (Sparse::InnerIterator it(laplacian.stiffness, j); it; ++it)
-      if (it.row() != j && it.value() < 0) {
-        entries.emplace_back(it.row(), j, it.value());
-        entries.emplace_back(j, j, -it.value());
-        const int i = static_cast<int>(it.row());
-        if (i < j)
-          impl->edges.push_back({i, j, -it.value(), rest.vertices.row(i) - rest.vertices.row(j)});
-      }
-  }
-  impl->weights.resize(n, n);
-  impl->weights.setFromTriplets(entries.begin(), entries.end());
+  Sparse weights = laplacian.stiffness;
+  weights.prune([](int row, int column, double value) { return row == column || value < 0; });
   Order inverse;
-  Eigen::AMDOrdering<int>()(impl->weights, inverse);
+  Eigen::AMDOrdering<int>()(weights, inverse);
   impl->order = inverse.inverse();
+  impl->mass = impl->order * laplacian.mass;
+  const Points places = impl->order * rest.vertices;
+  const Eigen::VectorXi& at = impl->order.indices();
+  for (int column = 0; column < n; ++column)
+    for (Sparse::InnerIterator it(weights, column); it; ++it)
+      if (const int i = at[it.row()], j = at[column]; i < j)
+        impl->edges.push_back({i, j, -it.value(), places.row(i) - places.row(j)});
+  std::sort(impl->edges.begin(), impl->edges.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.j, a.i) < std::pair(b.j, b.i);
+  });
+  impl->begin.assign(n + 1, 0);
+  for (const Impl::Edge& e : impl->edges) ++impl->begin[e.j + 1];
+  std::partial_sum(impl->begin.begin(), impl->begin.end(), impl->begin.begin());
   impl_ = std::move(impl);
 }
 
@@ -165,13 +180,18 @@ Arap& Arap::operator=(Arap&&) noexcept = default;
 
 std::vector<Eigen::Matrix3d> Arap::rotations(const Points& bent) const {
   require(bent.rows() == impl_->vertices(), "Arap: one place a vertex");
-  return impl_->rotations(bent);
+  std::vector<Eigen::Matrix3d> ordered;
+  impl_->rotations(impl_->order * bent, ordered);
+  std::vector<Eigen::Matrix3d> r;
+  for (int at : impl_->order.indices()) r.push_back(ordered[at]);
+  return r;
 }
 
+/// In the surface's own order.
 struct Arap::Attraction::Impl {
   Vector strength;   // of each goal
   Vector stiffness;  // of each vertex's surroundings
-  Factors factors;   // of the system in the surface's order
+  Factors factors;
 };
 
 Arap::Attraction::Attraction(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
@@ -188,14 +208,11 @@ Arap::Attraction Arap::attract(double softness,
   // A trace of every goal keeps parts that nothing pulls from being singular.
   constexpr double TRACE = 1e-9;
   attraction->strength = softness * impl_->mass;
-  if (confidence.size() > 0) attraction->strength.array() *= confidence.array().max(TRACE);
+  if (confidence.size() > 0)
+    attraction->strength.array() *= (impl_->order * confidence).array().max(TRACE);
   attraction->stiffness =
-      bent.rows() > 0 ? impl_->cellStiffness(bent) : Vector::Ones(impl_->mass.size());
-  Sparse system = impl_->weightsWith(attraction->stiffness);
-  system.diagonal() += attraction->strength;
-  Sparse ordered;
-  ordered = system.twistedBy(impl_->order);
-  attraction->factors.compute(ordered);
+      bent.rows() > 0 ? impl_->cellStiffness(impl_->order * bent) : Vector::Ones(impl_->vertices());
+  attraction->factors.compute(impl_->system(attraction->stiffness, attraction->strength));
   if (attraction->factors.info() != Eigen::Success)
     throw std::runtime_error("Arap: singular system");
   return Attraction(std::move(attraction));
@@ -208,20 +225,21 @@ Points Arap::pull(const Points& start,
   const auto n = impl_->vertices();
   require(start.rows() == n && goals.rows() == n, "Arap: one place and one goal a vertex");
   require(attraction.impl_->strength.size() == n, "Arap: the attraction is of another surface");
-  const Points pull = attraction.impl_->strength.asDiagonal() * goals;
-  Points places = start;
+  const Points pull = attraction.impl_->strength.asDiagonal() * (impl_->order * goals);
+  Points places = impl_->order * start;
+  std::vector<Eigen::Matrix3d> r;
   for (int i = 0; i < iterations; ++i) {
-    const std::vector<Eigen::Matrix3d> r = impl_->rotations(places);
-    places = impl_->order * (impl_->rigidPull(r, attraction.impl_->stiffness) + pull);
+    impl_->rotations(places, r);
+    places = pull;
+    impl_->addRigidPull(r, attraction.impl_->stiffness, places);
     solveInPlace(attraction.impl_->factors, places);
-    places = (impl_->order.transpose() * places).eval();
   }
-  return places;
+  return impl_->order.transpose() * places;
 }
 
 double Arap::energy(const Points& bent) const {
   require(bent.rows() == impl_->vertices(), "Arap: one place a vertex");
-  return impl_->energy(bent, impl_->rotations(bent));
+  return impl_->energy(impl_->order * bent);
 }
 
 }  // namespace posture
