@@ -47,8 +47,6 @@ std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
                            const std::vector<int>& distinct,
                            std::size_t first) {
   constexpr std::size_t ANSWERS = 4;
-  // On coarse meshes the right answer may be worse by so much.
-  constexpr double DECISIVE = 1;
   const double best = finalists.front().score.total();
   std::vector<int> leading;
   const auto add = [&](int i) {
@@ -56,7 +54,7 @@ std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
   };
   for (std::size_t i = 0; i < std::min(first, finalists.size()); ++i) add(static_cast<int>(i));
   for (std::size_t k = 1; k < std::min(ANSWERS, distinct.size()); ++k)
-    if (finalists[distinct[k]].score.total() < best + DECISIVE) add(distinct[k]);
+    if (!isDecisive(best, finalists[distinct[k]].score.total())) add(distinct[k]);
   const auto laid =
       std::find_if(finalists.begin(), finalists.end(), [](const Finalist& f) { return f.laid; });
   if (laid != finalists.end()) add(static_cast<int>(laid - finalists.begin()));

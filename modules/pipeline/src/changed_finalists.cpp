@@ -162,7 +162,10 @@ std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
                                          std::vector<Finalist> finalists) {
   const double softness = settlingSoftness(source.eigenvalues, target.eigenvalues);
   std::vector<Changed> grown;
-  const std::size_t begun = std::min(MOST_GROWN_FROM, distinct.size());
+  const auto near = std::count_if(distinct.begin(), distinct.end(), [&](int i) {
+    return mayConvince(finalists[i].score.total());
+  });
+  const std::size_t begun = std::min(MOST_GROWN_FROM, static_cast<std::size_t>(near));
   std::vector<BentPair> pairs(begun);
   std::vector<double> before(begun);
   parallelFor(static_cast<int>(begun), [&](int k) {
@@ -185,7 +188,7 @@ std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
 
 std::vector<VertexMaps> turnsOntoItself(const SpectralSurface& surface,
                                         const SampledShape& samples) {
-  const double gap = 2 * samples.spacing;
+  const double gap = answerGap(samples);
   VertexMaps identity;
   identity.forward.resize(surface.mesh.vertices.rows());
   std::iota(identity.forward.begin(), identity.forward.end(), 0);

@@ -42,30 +42,37 @@ bool confirms(const RegistrationResult* known,
 
 }  // namespace
 
+std::vector<Finalist> bentFinalists(const SpectralSurface& source,
+                                    const SpectralSurface& target,
+                                    const SampledShape& source_samples,
+                                    const SampledShape& target_samples,
+                                    double gap,
+                                    const std::vector<SampleMap>& pool,
+                                    StageClock& clock) {
+  // Those that keep the outside out, bent onto the target; the least strained first.
+  return clock.stage("bending", 0.1, [&] {
+    std::vector<Finalist> bent =
+        registerFinalists(source, target, source_samples, target_samples, pool);
+    exchangeParts(source, target, gap, bent);
+    return bent;
+  });
+}
+
 Finalists findFinalists(const PosedSide& source_side,
                         const PosedSide& target_side,
                         const SpectralSurface& source,
                         const SpectralSurface& target,
-                        const std::vector<SampleMap>& pool,
+                        std::vector<Finalist> bent,
                         bool may_lack,
                         const RegistrationResult* known,
                         bool may_stop,
                         StageClock& clock) {
   const SampledShape &source_samples = source_side.shape.samples,
                      &target_samples = target_side.shape.samples;
-  const auto registered = [&](const std::vector<SampleMap>& maps) {
-    return registerFinalists(source, target, source_samples, target_samples, maps);
-  };
-
-  const double gap = 2 * target_samples.spacing;
-  // Those that keep the outside out, bent onto the target; the least strained first.
+  const double gap = answerGap(target_samples);
   Finalists found;
   std::vector<Finalist>& finalists = found.maps;
-  finalists = clock.stage("bending", 0.1, [&] {
-    std::vector<Finalist> bent = registered(pool);
-    exchangeParts(source, target, gap, bent);
-    return bent;
-  });
+  finalists = std::move(bent);
   const auto convince = [&] {
     return !finalists.empty() && convinces(finalists.front().score.total());
   };
@@ -84,7 +91,11 @@ Finalists findFinalists(const PosedSide& source_side,
       (may_lack && !found.confirm_known && !isAllButCertain(finalists, distinct()))) {
     clock.stage("tips", 0.03, [&] {
       finalists = joined(std::move(finalists),
-                         registered(tipMaps(source_samples, target_samples, MOST_TIP_MAPS)));
+                         registerFinalists(source,
+                                           target,
+                                           source_samples,
+                                           target_samples,
+                                           tipMaps(source_samples, target_samples, MOST_TIP_MAPS)));
       bendFurther(source, target, finalists);
       exchangeParts(source, target, gap, finalists);
     });
@@ -104,7 +115,8 @@ Finalists findFinalists(const PosedSide& source_side,
         source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0;
     confirm();
     if (found.known_stands) return found;
-    if (as_given && !found.confirm_known) {
+    if (as_given && !found.confirm_known && !finalists.empty() &&
+        mayConvince(finalists.front().score.total())) {
       clock.stage("growing anew", 0.03, [&] {
         const std::vector<int> different = distinct();
         finalists = withPartsGrownAnew(source, target, different, gap, std::move(finalists));

@@ -11,16 +11,30 @@
 
 namespace posture {
 
+/// The bending stage: maps between the coarse surfaces that keep the outside out, by increasing
+/// score.
+/// \param source, target  at one scale.
+/// \param gap  distance from which on answers are different.
+/// \param pool  sample maps, by increasing distortion.
+/// \throws std::runtime_error  a surface cannot be bent (Arap)
+std::vector<Finalist> bentFinalists(const SpectralSurface& source,
+                                    const SpectralSurface& target,
+                                    const SampledShape& source_samples,
+                                    const SampledShape& target_samples,
+                                    double gap,
+                                    const std::vector<SampleMap>& pool,
+                                    StageClock& clock);
+
 struct Finalists {
   std::vector<Finalist> maps;  ///< between the coarse surfaces, by increasing score
   bool confirm_known = false;  ///< the best one leads everywhere to where a trusted answer does
   bool known_stands = false;   ///< so much that nothing more was sought (knownStands())
 };
 
-/// The stages from bending to laying over: different maps between the coarse surfaces.
+/// The stages from tips to laying over: what else is found where those maps do not tell.
 /// \param source_side, target_side  at one scale.
 /// \param source, target  their coarse surfaces.
-/// \param pool  sample maps, by increasing distortion.
+/// \param bent  bentFinalists().
 /// \param may_lack  whether a side may lack a part that the other one has.
 /// \param known  an answer found otherwise, in the numbering of both inputs; null: none.
 /// \param may_stop  whether to end as soon as that is confirmed and stands.
@@ -29,7 +43,7 @@ Finalists findFinalists(const PosedSide& source_side,
                         const PosedSide& target_side,
                         const SpectralSurface& source,
                         const SpectralSurface& target,
-                        const std::vector<SampleMap>& pool,
+                        std::vector<Finalist> bent,
                         bool may_lack,
                         const RegistrationResult* known,
                         bool may_stop,

@@ -141,6 +141,16 @@ struct ChosenMap {
   std::vector<int> begun_from;  ///< the finalist that each alternative is refined from
 };
 
+/// The same before the map is chosen: with the first maps between the coarse surfaces.
+struct FirstMaps {
+  FirstMaps(const GivenShape& source, const GivenShape& target)
+      : chosen(std::make_shared<ChosenMap>(source, target)) {}
+
+  std::shared_ptr<ChosenMap> chosen;
+  std::unique_ptr<const SpectralSurface> source_coarse, target_coarse;
+  std::vector<Finalist> bent;
+};
+
 /// Takes the answers that were not chosen to full precision.
 void refineAlternatives(const ChosenMap& chosen, RegistrationResult& result) {
   const PosedSide &source = chosen.source, &target = chosen.target;
@@ -161,14 +171,12 @@ void refineAlternatives(const ChosenMap& chosen, RegistrationResult& result) {
   }
 }
 
-/// Chooses a map: the way from the surfaces to the best of the refined maps.
-/// \param may_stop  whether to stop, before maps are refined, where the known answer stands.
-/// \return false: it stopped.
-bool chooseMap(ChosenMap& chosen,
-               const RegistrationResult* known,
-               bool may_stop,
-               StageClock& clock) {
-  PosedSide &source = chosen.source, &target = chosen.target;
+/// The way from the surfaces to the first maps.
+FirstMaps firstMaps(const GivenShape& source_given,
+                    const GivenShape& target_given,
+                    StageClock& clock) {
+  FirstMaps first(source_given, target_given);
+  PosedSide &source = first.chosen->source, &target = first.chosen->target;
   clock.stage("reduction", 0.03, [&] { reduceSides(source, target); });
 
   // The smoothest functions on each surface, which do not change when it bends.
@@ -193,11 +201,39 @@ bool chooseMap(ChosenMap& chosen,
   // mirrored one as well.
   source.scale(distanceRatio(source.shape.samples, target.shape.samples, pool.front()));
 
+  first.source_coarse = std::make_unique<SpectralSurface>(source.shape.coarseSurface());
+  first.target_coarse = std::make_unique<SpectralSurface>(target.shape.coarseSurface());
+  first.bent = bentFinalists(*first.source_coarse,
+                             *first.target_coarse,
+                             source.shape.samples,
+                             target.shape.samples,
+                             answerGap(target.shape.samples),
+                             pool,
+                             clock);
+  return first;
+}
+
+/// Chooses a map: the way from the first ones to the best of the refined ones.
+/// \param may_stop  whether to stop, before maps are refined, where the known answer stands.
+/// \return false: it stopped.
+bool chooseMap(const FirstMaps& first_maps,
+               const RegistrationResult* known,
+               bool may_stop,
+               StageClock& clock) {
+  ChosenMap& chosen = *first_maps.chosen;
+  PosedSide &source = chosen.source, &target = chosen.target;
+  const SpectralSurface &source_coarse = *first_maps.source_coarse,
+                        &target_coarse = *first_maps.target_coarse;
   chosen.may_lack = mayLack(source, target);
-  const SpectralSurface source_coarse = source.shape.coarseSurface(),
-                        target_coarse = target.shape.coarseSurface();
-  Finalists found = findFinalists(
-      source, target, source_coarse, target_coarse, pool, chosen.may_lack, known, may_stop, clock);
+  Finalists found = findFinalists(source,
+                                  target,
+                                  source_coarse,
+                                  target_coarse,
+                                  first_maps.bent,
+                                  chosen.may_lack,
+                                  known,
+                                  may_stop,
+                                  clock);
   if (found.known_stands) {
     clock.skip(REFINEMENT);
     return false;
@@ -213,7 +249,7 @@ bool chooseMap(ChosenMap& chosen,
     giveVerdictWithoutFinalist(source.given, result);
     return true;
   }
-  const double gap = 2 * target.shape.samples.spacing;
+  const double gap = answerGap(target.shape.samples);
   const std::vector<int> distinct = distinctFinalists(finalists, target_coarse.mesh, gap);
   clock.show([&] { return finalistPictures(source_coarse, target_coarse, finalists, distinct); });
 
@@ -282,15 +318,14 @@ RegistrationResult finishMap(const ChosenMap& chosen,
   return result;
 }
 
-/// See refinedMethodUnlessKnown().
-std::optional<Attempt> attemptAt(const GivenShape& source,
-                                 const GivenShape& target,
-                                 const RegistrationOptions& options,
-                                 StageClock& clock,
-                                 const RegistrationResult* known,
-                                 bool may_stop) {
-  const auto chosen = std::make_shared<ChosenMap>(source, target);
-  if (!chooseMap(*chosen, known, may_stop, clock)) return {};
+/// See BegunAttempt::goOn.
+std::optional<Attempt> attemptFrom(const FirstMaps& first,
+                                   const RegistrationOptions& options,
+                                   StageClock& clock,
+                                   const RegistrationResult* known,
+                                   bool may_stop) {
+  if (!chooseMap(first, known, may_stop, clock)) return {};
+  const std::shared_ptr<ChosenMap>& chosen = first.chosen;
   Attempt attempt{chosen->result, {}};
   if (chosen->result.chosen < 0) return attempt;
   if (!options.refine_alternatives) chosen->finalists = {};
@@ -310,20 +345,26 @@ std::optional<Attempt> attemptAt(const GivenShape& source,
 
 }  // namespace
 
+BegunAttempt beginAttempt(const GivenShape& source,
+                          const GivenShape& target,
+                          const RegistrationOptions& options,
+                          StageClock& clock) {
+  const auto first = std::make_shared<const FirstMaps>(firstMaps(source, target, clock));
+  BegunAttempt begun;
+  if (!first->bent.empty()) begun.score = first->bent.front().score.total();
+  begun.goOn = [first, options, &clock, label = clock.label()](const RegistrationResult* known,
+                                                               bool may_stop) {
+    return clock.within(label,
+                        [&] { return attemptFrom(*first, options, clock, known, may_stop); });
+  };
+  return begun;
+}
+
 Attempt refinedMethod(const GivenShape& source,
                       const GivenShape& target,
                       const RegistrationOptions& options,
-                      StageClock& clock,
-                      const RegistrationResult* known) {
-  return *attemptAt(source, target, options, clock, known, false);
-}
-
-std::optional<Attempt> refinedMethodUnlessKnown(const GivenShape& source,
-                                                const GivenShape& target,
-                                                const RegistrationOptions& options,
-                                                StageClock& clock,
-                                                const RegistrationResult* known) {
-  return attemptAt(source, target, options, clock, known, true);
+                      StageClock& clock) {
+  return *beginAttempt(source, target, options, clock).goOn(nullptr, false);
 }
 
 }  // namespace posture

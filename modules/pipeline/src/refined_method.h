@@ -5,28 +5,39 @@
 #include "attempts.h"
 #include "given_shape.h"
 #include "stage_clock.h"
+#include <functional>
+#include <limits>
 #include <optional>
 
 namespace posture {
 
+/// An attempt with its first maps, before those are changed or refined.
+struct BegunAttempt {
+  /// The least of them: the farther below that of another attempt at the pair, the less that one is
+  /// worth going on with. Infinite where none keeps the outside out.
+  double score = std::numeric_limits<double>::infinity();
+
+  /// \param known  an answer found otherwise, in the numbering of both inputs; null: none. Where it
+  /// is trusted and the best finalist agrees with it, none is changed any more, and of finalists
+  /// that are the same answer that one alone is refined.
+  /// \param may_stop  whether to give the attempt up, to nothing, where the known answer stands
+  /// (knownStands() in attempts.h). Called once.
+  std::function<std::optional<Attempt>(const RegistrationResult* known, bool may_stop)> goOn;
+};
+
 /// Beyond the paper: spectra and canonical forms give candidates, those that keep the outside out
-/// are bent onto the target, the best refined. That far the attempt goes at once; finishing it
-/// takes the map to a fraction of an edge and completes the source. docs/pipeline.md has the
-/// stages. The `input` of both sides and the clock outlive the attempt; `clean` need not.
-/// \param known  an answer found otherwise, in the numbering of both inputs; null: none. Where it
-/// is trusted and the best finalist agrees with it, none is changed any more, and of finalists
-/// that are the same answer that one alone is refined.
+/// are bent onto the target: so far the attempt is begun. Going on changes and refines the best;
+/// finishing it takes the map to a fraction of an edge and completes the source. docs/pipeline.md
+/// has the stages. The `input` of both sides and the clock outlive the attempt; `clean` need not.
+BegunAttempt beginAttempt(const GivenShape& source,
+                          const GivenShape& target,
+                          const RegistrationOptions& options,
+                          StageClock& clock);
+
+/// Begun, and gone on with.
 Attempt refinedMethod(const GivenShape& source,
                       const GivenShape& target,
                       const RegistrationOptions& options,
-                      StageClock& clock,
-                      const RegistrationResult* known = nullptr);
-
-/// The same, given up where the known answer stands (knownStands() in attempts.h): nothing then.
-std::optional<Attempt> refinedMethodUnlessKnown(const GivenShape& source,
-                                                const GivenShape& target,
-                                                const RegistrationOptions& options,
-                                                StageClock& clock,
-                                                const RegistrationResult* known);
+                      StageClock& clock);
 
 }  // namespace posture

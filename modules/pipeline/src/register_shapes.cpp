@@ -15,6 +15,7 @@
 #include "stage_clock.h"
 #include "verdict.h"
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -47,8 +48,8 @@ double shareInPieces(const CleanMesh& clean) {
 }
 
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted:
-/// the better map tells.
-/// \param known  see refinedMethod().
+/// the better map tells, the first ones already where they decide.
+/// \param known  see BegunAttempt::goOn.
 /// \return nothing where there is no contact and the known answer stands.
 std::optional<Attempt> registerWhole(const GivenShape& source,
                                      const GivenShape& target,
@@ -60,24 +61,28 @@ std::optional<Attempt> registerWhole(const GivenShape& source,
     return std::pair(partedSurface(source.input, source.clean),
                      partedSurface(target.input, target.clean));
   });
-  if (source_parted.contacts == 0 && target_parted.contacts == 0)
-    return clock.within({"", portion}, [&] {
-      return refinedMethodUnlessKnown(source, target, options, clock, known);
-    });
-  Attempt whole = clock.within(
-      {"", portion / 2}, [&] { return refinedMethod(source, target, options, clock, known); });
-  std::optional<Attempt> other = clock.tryAttempt(
+  const bool any = source_parted.contacts + target_parted.contacts > 0;
+  const BegunAttempt whole = clock.within({"", any ? portion / 2 : portion}, [&] {
+    return beginAttempt(source, target, options, clock);
+  });
+  if (!any) return whole.goOn(known, true);
+  const std::optional<BegunAttempt> parted = clock.tryAttempt(
       "parted", portion / 2, [&, &a = source_parted.clean, &b = target_parted.clean] {
-        return refinedMethod({source.input, a, source.patch_vertices},
-                             {target.input, b, target.patch_vertices},
-                             options,
-                             clock,
-                             known);
+        return beginAttempt({source.input, a, source.patch_vertices},
+                            {target.input, b, target.patch_vertices},
+                            options,
+                            clock);
       });
-  if (!other || other->found.score > whole.found.score - SCORE_NOISE) return whole;
+  std::optional<Attempt> other;
+  if (parted && !isDecisive(whole.score, parted->score))
+    other = clock.tryTo([&] { return *parted->goOn(known, false); });
+  std::optional<Attempt> as_given;
+  if (!other || !isDecisive(parted->score, whole.score)) as_given = whole.goOn(known, false);
+  if (as_given && (!other || other->found.score > as_given->found.score - SCORE_NOISE))
+    return as_given;
   Attempt cut = withChange(std::move(*other),
-                           [of_source = whole.found.source,
-                            of_target = whole.found.target,
+                           [of_source = summarize(source),
+                            of_target = summarize(target),
                             a = source_parted.contacts,
                             b = target_parted.contacts](RegistrationResult& result) {
                              result.source = withMeasured(of_source, result.source);
@@ -85,9 +90,10 @@ std::optional<Attempt> registerWhole(const GivenShape& source,
                              result.source.parted_contacts = a;
                              result.target.parted_contacts = b;
                            });
-  cut.finish = [finish = std::move(cut.finish), whole = std::move(whole), &clock] {
+  cut.finish = [finish = std::move(cut.finish), whole, as_given = std::move(as_given), &clock] {
     std::optional<RegistrationResult> result = clock.tryTo(finish);
-    return result ? std::move(*result) : finished(whole);
+    return result ? std::move(*result)
+                  : finished(as_given ? *as_given : *whole.goOn(nullptr, false));
   };
   return cut;
 }
@@ -171,7 +177,7 @@ ShapeSummary withPart(const ShapeSummary& whole, const ShapeSummary& part) {
 }
 
 /// For shapes that do not look like one body: one may be a piece of the other. It is then
-/// registered with the parts of that one it resembles.
+/// registered with the parts of that one it resembles, begun with all of them.
 void addPieceAttempts(const GivenShape& source,
                       const GivenShape& target,
                       const RegistrationOptions& options,
@@ -189,12 +195,21 @@ void addPieceAttempts(const GivenShape& source,
         found.emplace_back(std::move(part), target.clean);
     return found;
   });
-  int number = 0;
-  for (const auto& [a, b] : pairs) {
-    std::optional<Attempt> piece =
-        clock.tryAttempt("piece-" + std::to_string(++number), 0, [&, &a = a, &b = b] {
-          return refinedMethod({source.input, a}, {target.input, b}, options, clock);
+  std::vector<BegunAttempt> begun;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [a, b] = pairs[i];
+    std::optional<BegunAttempt> one =
+        clock.tryAttempt("piece-" + std::to_string(i + 1), 0, [&, &a = a, &b = b] {
+          return beginAttempt({source.input, a}, {target.input, b}, options, clock);
         });
+    if (!one) continue;
+    least = std::min(least, one->score);
+    begun.push_back(std::move(*one));
+  }
+  for (const BegunAttempt& one : begun) {
+    if (isDecisive(least, one.score)) continue;
+    std::optional<Attempt> piece = clock.tryTo([&] { return *one.goOn(nullptr, false); });
     if (!piece) continue;
     attempts.push_back(
         withChange(std::move(*piece),

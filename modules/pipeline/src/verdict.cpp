@@ -20,6 +20,9 @@ constexpr double LEAST_CONSISTENCY = 0.855;
 /// docs/decisions/trust.md has the measurements.
 constexpr double EVEN_SCORE = -8.7, SCORE_WIDTH = 0.3;
 
+/// On coarse meshes the right answer may be worse by so much.
+constexpr double DECISIVE = 1;
+
 /// Below it the answer is called undecided.
 constexpr double LEAST_TRUST = 0.5;
 
@@ -72,6 +75,10 @@ double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& 
 }
 
 bool convinces(double score) { return score < EVEN_SCORE; }
+
+bool isDecisive(double better, double worse) { return worse - better >= DECISIVE; }
+
+bool mayConvince(double score) { return !isDecisive(EVEN_SCORE, score); }
 
 bool looksAlike(const RegistrationResult& result) {
   return result.chosen >= 0 && convinces(result.score);
