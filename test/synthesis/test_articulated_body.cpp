@@ -20,6 +20,17 @@ INSTANTIATE_TEST_SUITE_P(Kinds,
                            return tested.param == BodyKind::HUMAN ? "Human" : "Quadruped";
                          });
 
+/// Before what the library has at namespace scope need be initialised.
+const ArticulatedBody MADE_BEFORE_MAIN[] = {makeBody(bodyOptions(BodyKind::QUADRUPED, 4)),
+                                            makeBody(bodyOptions(BodyKind::HUMAN, 4))};
+
+TEST_P(Bodies, AreTheSameBeforeMain) {
+  const ArticulatedBody now = makeBody(bodyOptions(GetParam(), 4));
+  const ArticulatedBody& before = MADE_BEFORE_MAIN[GetParam() == BodyKind::HUMAN ? 1 : 0];
+  EXPECT_EQ(before.mesh.vertices, now.mesh.vertices);
+  EXPECT_EQ(before.bone, now.bone);
+}
+
 TEST_P(Bodies, AreClosedManifoldAndOfGenusZero) {
   for (int tessellation = 0; tessellation < 8; ++tessellation) {
     const ArticulatedBody body = makeBody(bodyOptions(GetParam(), 0, tessellation));

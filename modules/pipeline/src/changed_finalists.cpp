@@ -23,7 +23,7 @@ namespace {
 constexpr int MOST_LOOSENED = 8;
 
 /// How finalists settle before parts of them are laid anew.
-const std::vector<double> SETTLING{0.1, 0.3};
+constexpr double SETTLING[] = {0.1, 0.3};
 constexpr int SETTLING_ROUNDS = 6;
 
 /// So many different answers are grown anew, and so many turned; of what comes of either the best

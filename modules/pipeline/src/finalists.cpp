@@ -22,8 +22,11 @@ constexpr int BENT_FURTHER = 16, MOST_FURTHER = 4;
 constexpr int CANDIDATE_BASIS = 36;
 
 /// The low start mends limbs turned inside out, the high one keeps those a low one would twist.
-const std::vector<std::vector<int>> STARTS{{12, 24, 36, 48, FINALIST_BASIS},
-                                           {30, 40, 50, FINALIST_BASIS}};
+const std::vector<std::vector<int>>& starts() {
+  static const std::vector<std::vector<int>> sizes{{12, 24, 36, 48, FINALIST_BASIS},
+                                                   {30, 40, 50, FINALIST_BASIS}};
+  return sizes;
+}
 
 /// Parts exchanged between finalists: at least so many vertices of a coarse mesh, so many tried at
 /// once, and so often.
@@ -86,11 +89,11 @@ std::vector<Finalist> registerFinalists(const SpectralSurface& source,
   std::vector<Finalist> finalists;
   for (const Finalist& candidate : candidates)
     if (candidate.orientation > LEAST_ORIENTATION &&
-        finalists.size() < MOST_FINALISTS * STARTS.size())
-      finalists.insert(finalists.end(), STARTS.size(), candidate);
+        finalists.size() < MOST_FINALISTS * starts().size())
+      finalists.insert(finalists.end(), starts().size(), candidate);
   parallelFor(static_cast<int>(finalists.size()), [&](int i) {
     Finalist& finalist = finalists[i];
-    finalist.maps = bend(source, target, STARTS[i % STARTS.size()], finalist.maps);
+    finalist.maps = bend(source, target, starts()[i % starts().size()], finalist.maps);
     finalist.score = scoreMaps(source, target, finalist.maps);
   });
   sortByScore(finalists);
@@ -104,7 +107,7 @@ void bendFurther(const SpectralSurface& source,
     Finalist& finalist = finalists[i];
     for (int round = 0; round < MOST_FURTHER; ++round) {
       Finalist next = finalist;
-      next.maps = bend(source, target, STARTS.front(), next.maps);
+      next.maps = bend(source, target, starts().front(), next.maps);
       next.score = scoreMaps(source, target, next.maps);
       if (next.score.total() >= finalist.score.total()) break;
       finalist = std::move(next);
@@ -168,7 +171,7 @@ void exchangeParts(const SpectralSurface& source,
       }
     std::vector<MapScore> scores(mixed.size());
     parallelFor(static_cast<int>(mixed.size()), [&](int i) {
-      mixed[i] = bend(source, target, STARTS.back(), mixed[i]);
+      mixed[i] = bend(source, target, starts().back(), mixed[i]);
       scores[i] = scoreMaps(source, target, mixed[i]);
     });
     int best = -1;

@@ -9,6 +9,7 @@
 
 #include "by_score.h"
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -16,17 +17,16 @@
 namespace posture {
 namespace {
 
-const std::vector<int> FINE_SIZES{40, 58, 76, 95, 114, 133, 152, 171, 190};
-
-/// A stiff surface slides far as a whole, a soft one stays near what is known: which of the two
-/// ways is better depends on how isometric the pair is, and the score tells. The longer way first:
-/// two threads then end at the same time.
-const std::vector<std::vector<double>> SOFTENINGS{{0.03, 0.1, 0.3, 1}, {0.1, 0.3, 1}};
+/// Shares of the softness by which surfaces settle, and where among them to begin. A stiff surface
+/// slides far as a whole, a soft one stays near what is known: which of the two ways is better
+/// depends on how isometric the pair is, and the score tells. The longer way first: two threads
+/// then end at the same time.
+constexpr std::array<double, 4> SOFTENING{0.03, 0.1, 0.3, 1};
+constexpr int STIFF = 0, SOFT = 1, WAYS = 2, QUICK = 2;
 constexpr int ROUNDS = 6;
 
-/// How many turns of a limb are tried on the work meshes, and how all settles then to be compared.
+/// How many turns of a limb are tried on the work meshes; to be compared, all settles quickly then.
 constexpr std::size_t MOST_TURNS = 2;
-const std::vector<double> QUICKLY{0.3, 1};
 
 /// What turned limbs must gain of the score: those that changed it by less were as often wrong as
 /// right.
@@ -42,6 +42,16 @@ constexpr double LEAST_OF_LETTING_GO = 2 * SCORE_NOISE;
 /// more or at most 0.7.
 constexpr double LEAST_TO_JUDGE_WITHOUT = 1;
 
+/// \param first  share of the softness to begin with.
+void settleFrom(int first,
+                double softness,
+                const SpectralSurface& source,
+                const SpectralSurface& target,
+                BentPair& pair) {
+  for (std::size_t k = first; k < SOFTENING.size(); ++k)
+    settle(source, target, SOFTENING[k] * softness, ROUNDS, pair);
+}
+
 /// Maps of the coarse meshes on the work meshes, through larger and larger bases.
 BentPair sharpened(const Eigen::MatrixXf& coarse_functions,
                    const SpectralSurface& source,
@@ -54,7 +64,8 @@ BentPair sharpened(const Eigen::MatrixXf& coarse_functions,
                                             target_coarse_functions,
                                             {maps.forward, maps.backward, 0},
                                             FINALIST_BASIS);
-  const VertexMaps sharp = sharpen(source, target, FINE_SIZES, start);
+  const VertexMaps sharp =
+      sharpen(source, target, {40, 58, 76, 95, 114, 133, 152, 171, 190}, start);
   return {sharp,
           target.mesh.vertices(sharp.forward, Eigen::all),
           source.mesh.vertices(sharp.backward, Eigen::all)};
@@ -115,14 +126,13 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
   const std::vector<int> tips = source.tips();
   std::vector<std::vector<LimbTurn>> turns(tips.size());
-  const auto withTurns = [&](const std::vector<int>& limbs, const std::vector<double>& shares) {
+  const auto withTurns = [&](const std::vector<int>& limbs, int first) {
     RefinedMap turned = map;
     bool any = false;
     for (int i : limbs)
       any |= turnLimb(source_work, target_work, tips[i], softness, turns[i], turned.pair);
     if (!any) return turned;
-    for (double share : shares)
-      settle(source_work, target_work, share * softness, ROUNDS, turned.pair);
+    settleFrom(first, softness, source_work, target_work, turned.pair);
     turned.score = scoreMaps(source_work, target_work, turned.pair.maps);
     return turned;
   };
@@ -130,7 +140,7 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   parallelFor(static_cast<int>(tips.size()), [&](int i) {
     turns[i] = likelyTurns(
         source_coarse, target_coarse, source.coarse.nearest[tips[i]], softness, coarse, MOST_TURNS);
-    gains[i] = map.score.total() - withTurns({i}, QUICKLY).score.total();
+    gains[i] = map.score.total() - withTurns({i}, QUICK).score.total();
   });
   std::vector<int> limbs;
   for (std::size_t i = 0; i < gains.size(); ++i)
@@ -139,11 +149,11 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   const auto fitsBetter = [&](const RefinedMap& turned) {
     return turned.score.total() < map.score.total() - LEAST_GAIN;
   };
-  RefinedMap turned = withTurns(limbs, SOFTENINGS.front());
+  RefinedMap turned = withTurns(limbs, STIFF);
   if (limbs.size() > 1 && !fitsBetter(turned)) {
     const int best = *std::max_element(
         limbs.begin(), limbs.end(), [&](int i, int j) { return gains[i] < gains[j]; });
-    turned = withTurns({best}, SOFTENINGS.front());
+    turned = withTurns({best}, STIFF);
   }
   return fitsBetter(turned) ? turned : map;
 }
@@ -161,7 +171,7 @@ void letGoOfWhatIsSqueezed(const SpectralSurface& source,
     return score && score->total() < before - LEAST_TO_JUDGE_WITHOUT;
   };
   if (!isWorth(map.score.total())) return;
-  for (double share : SOFTENINGS.back()) settle(source, target, share * softness, ROUNDS, settled);
+  settleFrom(SOFT, softness, source, target, settled);
   if (!isWorth(scoreBent(source, target, settled, false).total())) return;
   if (orientation(source, target, loose.maps) <= LEAST_ORIENTATION) return;
   map.pair = std::move(loose);
@@ -206,17 +216,16 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                           target_work,
                                           finalist.maps);
   });
-  std::vector<RefinedMap> refined(finalists.size() * SOFTENINGS.size());
+  std::vector<RefinedMap> refined(finalists.size() * WAYS);
   parallelFor(static_cast<int>(refined.size()), [&](int i) {
     RefinedMap& map = refined[i];
-    map.finalist = i / static_cast<int>(SOFTENINGS.size());
+    map.finalist = i / WAYS;
     map.scale = finalists[map.finalist]->scale;
     map.laid = finalists[map.finalist]->laid;
     map.pair = starts[map.finalist];
     const SpectralSurface& work = surfaces.source(map.scale);
     const double softness = settlingSoftness(work.eigenvalues, target_work.eigenvalues);
-    for (double share : SOFTENINGS[i % SOFTENINGS.size()])
-      settle(work, target_work, share * softness, ROUNDS, map.pair);
+    settleFrom(i % WAYS, softness, work, target_work, map.pair);
     map.score = finalists[map.finalist]->bent ? scoreBent(work, target_work, map.pair, map.laid)
                                               : scoreMaps(work, target_work, map.pair.maps);
     if (!may_lack || map.laid) return;

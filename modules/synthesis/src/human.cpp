@@ -5,15 +5,13 @@
 namespace posture::synthesis {
 namespace {
 
-const Vec3 X = Vec3::UnitX(), Y = Vec3::UnitY(), Z = Vec3::UnitZ();
-
 // Rows of numbers.
 // clang-format off
 void addBones(ShapeBuilder& body) {
   const auto bone = [&](const char* name, const char* parent, const Vec3& joint, const Vec3& end,
                         double blend, double gate, JointAngles lower, JointAngles upper) {
     body.addBone(
-        {name, -1, joint, end, -X, Vec3::Zero(), blend, gate, lower, upper}, parent, false);
+        {name, -1, joint, end, -Vec3(X), Vec3::Zero(), blend, gate, lower, upper}, parent, false);
   };
   const auto pair = [&](const char* name, const char* parent, const Vec3& joint, const Vec3& end,
                         const Vec3& flex, const Vec3& normal, double blend, double gate,

@@ -5,8 +5,6 @@
 namespace posture::synthesis {
 namespace {
 
-const Vec3 X = Vec3::UnitX(), Z = Vec3::UnitZ();
-
 // Rows of numbers.
 // clang-format off
 void addBones(ShapeBuilder& body) {

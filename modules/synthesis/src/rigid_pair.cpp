@@ -14,8 +14,6 @@ using namespace synthesis;
 constexpr double MISSING = 0.2;  // of the length
 constexpr double TURN = 0.1;     // radians
 constexpr double SHIFT = 0.04;   // of the length
-const Eigen::Vector3d TURN_AXIS = Eigen::Vector3d(2, -1, 3).normalized();
-const Eigen::Vector3d SHIFT_DIRECTION = Eigen::Vector3d(1, 2, -2) / 3;
 
 /// What lies between two places along an axis.
 void crop(ArticulatedBody& body, int axis, double low, double high) {
@@ -59,8 +57,8 @@ RigidPair makeRigidPair(const BodyOptions& options) {
   crop(pair.target, axis, -HUGE_VAL, high[axis] - MISSING * length);
 
   Eigen::Isometry3d away = Eigen::Isometry3d::Identity();
-  away.translate(middle + SHIFT * length * SHIFT_DIRECTION);
-  away.rotate(Eigen::AngleAxisd(TURN, TURN_AXIS));
+  away.translate(middle + SHIFT * length * Eigen::Vector3d(1, 2, -2) / 3);
+  away.rotate(Eigen::AngleAxisd(TURN, Eigen::Vector3d(2, -1, 3).normalized()));
   away.translate(-middle);
   Points& source = pair.source.mesh.vertices;
   source = ((source * away.linear().transpose()).rowwise() + away.translation().transpose()).eval();

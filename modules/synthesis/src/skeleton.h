@@ -13,6 +13,14 @@ namespace posture::synthesis {
 
 using Vec3 = Eigen::Vector3d;
 
+/// A direction of the frame. Vectors at namespace scope would be zero for bodies that a program
+/// makes before its main().
+struct Axis {
+  int number;
+  operator Vec3() const { return Vec3::Unit(number); }
+};
+constexpr Axis X{0}, Y{1}, Z{2};
+
 /// Degrees about the bone's own axes.
 struct JointAngles {
   double flex = 0;
