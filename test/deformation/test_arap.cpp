@@ -96,6 +96,19 @@ TEST(Arap, rotationsAreRotationsWhateverTheShape) {
     }
 }
 
+TEST(Arap, rotationsAreThoseOfTheirVertices) {
+  // Bent about an axis, each place along the strip has turned by an angle of its own.
+  const double angle = 2, length = 2;
+  const Bendable surface(test::grid(20, 6, length, 1));
+  const auto rotations = surface.arap.rotations(test::bentStrip(20, 6, length, 1, angle).vertices);
+  const double along = surface.mesh.vertices.col(0).minCoeff();
+  for (int v = 0; v < vertexCount(surface); ++v) {
+    const double expected = angle * (surface.mesh.vertices(v, 0) - along) / length;
+    const double turned = Eigen::AngleAxisd(rotations[v]).angle();
+    EXPECT_NEAR(turned, expected, 0.06) << v;
+  }
+}
+
 TEST(Arap, reachesARigidlyMovedCopy) {
   for (const TriangleMesh& mesh : {test::sphere(2), test::grid(8, 5, 2, 1)}) {
     const Bendable surface(mesh);

@@ -4,7 +4,9 @@
 
 #include "answers.h"
 #include "support/shapes.h"
+#include "verdict.h"
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace posture {
@@ -138,6 +140,26 @@ TEST_F(AnswersTest, whereMapsEndIsToldOnTheirOwnMesh) {
   const std::vector<Finalist> finalists{finalist(0), finalist(5)};
   const std::vector<RefinedMap> maps{on_fine(0, 0, -11), on_fine(1, 2, -10)};
   EXPECT_EQ(RefinedAnswers(maps, finalists, {0, 1}, strip_, fine, 0.07).remaining(), (Answers{0}));
+}
+
+TEST(IsDecisive, onlyFarWorseScoresAre) {
+  constexpr double NONE = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(isDecisive(-9, -8));
+  EXPECT_FALSE(isDecisive(-9, -8.01));
+  EXPECT_FALSE(isDecisive(-8, -9));
+  EXPECT_TRUE(isDecisive(-9, NONE));
+  EXPECT_FALSE(isDecisive(NONE, -9));
+  EXPECT_FALSE(isDecisive(NONE, NONE)) << "neither has a map";
+}
+
+TEST(MayConvince, whatConvincesMayAndWhatIsDecisivelyWorseMayNot) {
+  double limit = -20;
+  while (convinces(limit)) limit += 0.01;
+  EXPECT_TRUE(mayConvince(limit));
+  EXPECT_TRUE(mayConvince(limit - 5));
+  EXPECT_TRUE(isDecisive(limit - 0.02, limit + 1.02));
+  EXPECT_FALSE(mayConvince(limit + 1.02));
+  EXPECT_FALSE(mayConvince(std::numeric_limits<double>::infinity()));
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string>
 
 namespace posture {
 namespace {
@@ -122,6 +124,16 @@ TEST(Pieces, aPieceIsFoundOnTheWhole) {
   EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
   EXPECT_EQ(result.source.compared_share, 1);
   EXPECT_LT(result.target.compared_share, 0.7);
+  // Parts that are far from like it are not gone on with.
+  std::set<std::string> bent, refined;
+  for (const StageTiming& t : result.timings) {
+    if (t.attempt.rfind("piece-", 0) != 0) continue;
+    if (t.stage == "bending") bent.insert(t.attempt);
+    if (t.stage == "refinement") refined.insert(t.attempt);
+  }
+  EXPECT_GT(bent.size(), 1);
+  EXPECT_GE(refined.size(), 1);
+  EXPECT_LT(refined.size(), bent.size());
   EXPECT_NEAR(result.target.area, faceAreas(shapes.whole).sum(), 1e-9);
   double sum = 0;
   int mapped = 0;

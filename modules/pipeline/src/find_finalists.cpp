@@ -115,8 +115,7 @@ Finalists findFinalists(const PosedSide& source_side,
         source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0;
     confirm();
     if (found.known_stands) return found;
-    if (as_given && !found.confirm_known && !finalists.empty() &&
-        mayConvince(finalists.front().score.total())) {
+    if (as_given && !found.confirm_known) {
       clock.stage("growing anew", 0.03, [&] {
         const std::vector<int> different = distinct();
         finalists = withPartsGrownAnew(source, target, different, gap, std::move(finalists));

@@ -31,7 +31,7 @@ struct Finalists {
   bool known_stands = false;   ///< so much that nothing more was sought (knownStands())
 };
 
-/// The stages from tips to laying over: what else is found where those maps do not tell.
+/// The stages from tips to laying over: what else is found where the bent maps do not tell.
 /// \param source_side, target_side  at one scale.
 /// \param source, target  their coarse surfaces.
 /// \param bent  bentFinalists().

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refined_method.h"
 
+#include <posture/core/error.h>
 #include <posture/core/parallel.h>
 
 #include "answers.h"
@@ -349,13 +350,14 @@ BegunAttempt beginAttempt(const GivenShape& source,
                           const GivenShape& target,
                           const RegistrationOptions& options,
                           StageClock& clock) {
-  const auto first = std::make_shared<const FirstMaps>(firstMaps(source, target, clock));
+  const auto first = std::make_shared<FirstMaps>(firstMaps(source, target, clock));
   BegunAttempt begun;
   if (!first->bent.empty()) begun.score = first->bent.front().score.total();
   begun.goOn = [first, options, &clock, label = clock.label()](const RegistrationResult* known,
                                                                bool may_stop) {
-    return clock.within(label,
-                        [&] { return attemptFrom(*first, options, clock, known, may_stop); });
+    require(first->chosen != nullptr, "BegunAttempt: gone on with twice");
+    const FirstMaps maps = std::move(*first);
+    return clock.within(label, [&] { return attemptFrom(maps, options, clock, known, may_stop); });
   };
   return begun;
 }

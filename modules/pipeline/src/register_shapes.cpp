@@ -73,11 +73,16 @@ std::optional<Attempt> registerWhole(const GivenShape& source,
                             options,
                             clock);
       });
-  std::optional<Attempt> other;
-  if (parted && !isDecisive(whole.score, parted->score))
+  std::optional<Attempt> as_given, other;
+  const auto isConvincing = [](const std::optional<Attempt>& attempt) {
+    return attempt && looksAlike(attempt->found);
+  };
+  const auto goOnAsGiven = [&] { as_given = whole.goOn(known, false); };
+  const bool as_given_first = !parted || isDecisive(whole.score, parted->score);
+  if (as_given_first) goOnAsGiven();
+  if (parted && !(as_given_first && isConvincing(as_given)))
     other = clock.tryTo([&] { return *parted->goOn(known, false); });
-  std::optional<Attempt> as_given;
-  if (!other || !isDecisive(parted->score, whole.score)) as_given = whole.goOn(known, false);
+  if (!as_given && !(isConvincing(other) && isDecisive(parted->score, whole.score))) goOnAsGiven();
   if (as_given && (!other || other->found.score > as_given->found.score - SCORE_NOISE))
     return as_given;
   Attempt cut = withChange(std::move(*other),
@@ -176,8 +181,9 @@ ShapeSummary withPart(const ShapeSummary& whole, const ShapeSummary& part) {
   return summary;
 }
 
-/// For shapes that do not look like one body: one may be a piece of the other. It is then
-/// registered with the parts of that one it resembles, begun with all of them.
+/// For shapes of which no answer is all but certain: one may be a piece of the other. It is then
+/// registered with the parts of that one it resembles, begun with all of them; the best goes on,
+/// and others until one convinces whose first map was decisively better than theirs.
 void addPieceAttempts(const GivenShape& source,
                       const GivenShape& target,
                       const RegistrationOptions& options,
@@ -196,28 +202,30 @@ void addPieceAttempts(const GivenShape& source,
     return found;
   });
   std::vector<BegunAttempt> begun;
-  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto& [a, b] = pairs[i];
     std::optional<BegunAttempt> one =
         clock.tryAttempt("piece-" + std::to_string(i + 1), 0, [&, &a = a, &b = b] {
           return beginAttempt({source.input, a}, {target.input, b}, options, clock);
         });
-    if (!one) continue;
-    least = std::min(least, one->score);
-    begun.push_back(std::move(*one));
+    if (one) begun.push_back(std::move(*one));
   }
+  std::stable_sort(begun.begin(), begun.end(), [](const BegunAttempt& x, const BegunAttempt& y) {
+    return x.score < y.score;
+  });
+  const ShapeSummary of_source = attempts.front().found.source,
+                     of_target = attempts.front().found.target;
+  std::optional<double> convincing;
   for (const BegunAttempt& one : begun) {
-    if (isDecisive(least, one.score)) continue;
+    if (convincing && isDecisive(*convincing, one.score)) break;
     std::optional<Attempt> piece = clock.tryTo([&] { return *one.goOn(nullptr, false); });
     if (!piece) continue;
+    if (!convincing && looksAlike(piece->found)) convincing = one.score;
     attempts.push_back(
-        withChange(std::move(*piece),
-                   [of_source = attempts.front().found.source,
-                    of_target = attempts.front().found.target](RegistrationResult& result) {
-                     result.source = withPart(of_source, result.source);
-                     result.target = withPart(of_target, result.target);
-                   }));
+        withChange(std::move(*piece), [of_source, of_target](RegistrationResult& result) {
+          result.source = withPart(of_source, result.source);
+          result.target = withPart(of_target, result.target);
+        }));
   }
 }
 
@@ -240,7 +248,7 @@ RegistrationResult registerMeshes(const GivenShape& source,
   attempts.push_back({std::move(main), {}});
   if (joined) attempts.push_back({std::move(*joined), {}});
   if (std::none_of(attempts.begin(), attempts.end(), [](const Attempt& attempt) {
-        return looksAlike(attempt.found);
+        return attempt.found.trust >= ALL_BUT_CERTAIN;
       }))
     addPieceAttempts(source, target, options, clock, attempts);
   return bestAttempt(std::move(attempts), target.input, options, clock);

@@ -33,8 +33,8 @@ double trustIn(const RegistrationResult& result);
 /// Whether a map scores as those between poses of one body do.
 bool convinces(double score);
 
-/// Whether one of two maps between coarse meshes scores so much better that the other one, changed
-/// or refined, will not be the right one. \param better, worse  their scores.
+/// Whether one of two maps between coarse meshes scores so much better that the other one, refined,
+/// will hardly be the right one. Letting go of parts can make up for more.
 bool isDecisive(double better, double worse);
 
 /// Whether a map between coarse meshes may convince when it is changed or refined.
