@@ -7,7 +7,7 @@
 
 #include "answers.h"
 #include "find_finalists.h"
-#include "loose_pieces.h"
+#include "finish_map.h"
 #include "pieces.h"
 #include "posed_side.h"
 #include "refined_maps.h"
@@ -15,8 +15,6 @@
 #include "refined_result.h"
 #include "refined_shape.h"
 #include "verdict.h"
-#include "way_back.h"
-#include "whole_source.h"
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -115,34 +113,7 @@ std::vector<AlternativeSummary> summarizeAnswers(const PosedSide& source,
   return summaries;
 }
 
-/// Every vertex of the source a place, as isometric as the target allows (section 6.2).
-/// \param scaled  the source at the scale of the map.
-Points deformedInput(const PosedSide& source,
-                     const RefinedShape& scaled,
-                     const PosedSide& target,
-                     const FullMap& full,
-                     const OnPieces& on_pieces) {
-  return target.pose.outOf(placesOfInput(source.given,
-                                         scaled.full,
-                                         std::vector<char>(full.places.size(), 1),
-                                         placesOfWhole(source, scaled, target, full, on_pieces),
-                                         source.pose.into(source.given.input.vertices)));
-}
-
-/// What an attempt has found when its map is chosen, and what finishing it takes.
-struct ChosenMap {
-  ChosenMap(const GivenShape& source_cleaned, const GivenShape& target_cleaned)
-      : source(source_cleaned), target(target_cleaned) {}
-
-  PosedSide source, target;
-  bool may_lack = false;
-  std::vector<Finalist> finalists;
-  RefinedMap best;
-  RegistrationResult result;    ///< without a map, unless there is no finalist
-  std::vector<int> begun_from;  ///< the finalist that each alternative is refined from
-};
-
-/// The same before the map is chosen: with the first maps between the coarse surfaces.
+/// What it has before that: the first maps between the coarse surfaces.
 struct FirstMaps {
   FirstMaps(const GivenShape& source, const GivenShape& target)
       : chosen(std::make_shared<ChosenMap>(source, target)) {}
@@ -151,26 +122,6 @@ struct FirstMaps {
   std::unique_ptr<const SpectralSurface> source_coarse, target_coarse;
   std::vector<Finalist> bent;
 };
-
-/// Takes the answers that were not chosen to full precision.
-void refineAlternatives(const ChosenMap& chosen, RegistrationResult& result) {
-  const PosedSide &source = chosen.source, &target = chosen.target;
-  for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
-    if (static_cast<int>(k) == result.chosen) continue;
-    AlternativeSummary& other = result.alternatives[k];
-    RefinedMap map =
-        refineFinalists(
-            source.shape, target.shape, chosen.may_lack, {&chosen.finalists[chosen.begun_from[k]]})
-            .front();
-    annealMap(source.shape, target.shape, chosen.may_lack, map);
-    other.correspondence = correspondenceOf(source.given,
-                                            source.shape,
-                                            target.given,
-                                            target.shape,
-                                            toFullResolution(source.shape, target.shape, map),
-                                            result.trust * likelihoodOf(result, other));
-  }
-}
 
 /// The way from the surfaces to the first maps.
 FirstMaps firstMaps(const GivenShape& source_given,
@@ -277,46 +228,6 @@ bool chooseMap(const FirstMaps& first_maps,
     result.trust = trustIn(result);
   });
   return true;
-}
-
-/// Takes the map chosen to all vertices, and the whole source with it.
-RegistrationResult finishMap(const ChosenMap& chosen,
-                             const RegistrationOptions& options,
-                             StageClock& clock) {
-  const PosedSide &source = chosen.source, &target = chosen.target;
-  RegistrationResult result = chosen.result;
-  const RefinedMap best = clock.stage("annealing", 0.08, [&] {
-    RefinedMap map = chosen.best;
-    annealMap(source.shape, target.shape, chosen.may_lack, map);
-    return map;
-  });
-  clock.show([&] { return refinedPictures(source.shape, target.shape, best); });
-
-  // All vertices, to a fraction of an edge.
-  const FullMap full = clock.stage("full resolution", 0.05, [&] {
-    FullMap map = toFullResolution(source.shape, target.shape, best);
-    result.correspondence =
-        correspondenceOf(source.given, source.shape, target.given, target.shape, map, result.trust);
-    return map;
-  });
-  const RefinedShape scaled = rescaled(source.shape, best.scale);
-  clock.stage("completion", 0.1, [&] {
-    TargetOnSource there;
-    if (options.both_ways || hasLoosePieces(target.given))
-      there = targetOnSource(source, scaled, target, full, result);
-    const OnPieces on_pieces = onPieces(source.given, target.given, there.back, there.pieces);
-    result.deformed = deformedInput(source, scaled, target, full, on_pieces);
-    addMatches(source.given, on_pieces, result);
-    placeLoosePieces(source.given, target.given, result);
-    giveVerdict(result);
-    if (options.both_ways) {
-      result.back = WayBack{std::move(there.back.correspondence)};
-      measureMiss(source.given, target.given.input, result.correspondence, *result.back);
-    }
-  });
-  if (options.refine_alternatives)
-    clock.stage("alternatives", 0.0, [&] { refineAlternatives(chosen, result); });
-  return result;
 }
 
 /// See BegunAttempt::goOn.

@@ -15,7 +15,6 @@
 #include "stage_clock.h"
 #include "verdict.h"
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "finish_map.h"
+
+#include "full_resolution.h"
+#include "loose_pieces.h"
+#include "refined_pictures.h"
+#include "refined_result.h"
+#include "refined_shape.h"
+#include "target_pieces.h"
+#include "verdict.h"
+#include "way_back.h"
+#include "whole_source.h"
+#include <utility>
+
+namespace posture {
+namespace {
+
+/// Every vertex of the source a place, as isometric as the target allows (section 6.2).
+/// \param scaled  the source at the scale of the map.
+Points deformedInput(const PosedSide& source,
+                     const RefinedShape& scaled,
+                     const PosedSide& target,
+                     const FullMap& full,
+                     const OnPieces& on_pieces) {
+  return target.pose.outOf(placesOfInput(source.given,
+                                         scaled.full,
+                                         std::vector<char>(full.places.size(), 1),
+                                         placesOfWhole(source, scaled, target, full, on_pieces),
+                                         source.pose.into(source.given.input.vertices)));
+}
+
+/// Takes the answers that were not chosen to full precision.
+void refineAlternatives(const ChosenMap& chosen, RegistrationResult& result) {
+  const PosedSide &source = chosen.source, &target = chosen.target;
+  for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
+    if (static_cast<int>(k) == result.chosen) continue;
+    AlternativeSummary& other = result.alternatives[k];
+    RefinedMap map =
+        refineFinalists(
+            source.shape, target.shape, chosen.may_lack, {&chosen.finalists[chosen.begun_from[k]]})
+            .front();
+    annealMap(source.shape, target.shape, chosen.may_lack, map);
+    other.correspondence = correspondenceOf(source.given,
+                                            source.shape,
+                                            target.given,
+                                            target.shape,
+                                            toFullResolution(source.shape, target.shape, map),
+                                            result.trust * likelihoodOf(result, other));
+  }
+}
+
+}  // namespace
+
+RegistrationResult finishMap(const ChosenMap& chosen,
+                             const RegistrationOptions& options,
+                             StageClock& clock) {
+  const PosedSide &source = chosen.source, &target = chosen.target;
+  RegistrationResult result = chosen.result;
+  const RefinedMap best = clock.stage("annealing", 0.08, [&] {
+    RefinedMap map = chosen.best;
+    annealMap(source.shape, target.shape, chosen.may_lack, map);
+    return map;
+  });
+  clock.show([&] { return refinedPictures(source.shape, target.shape, best); });
+
+  // All vertices, to a fraction of an edge.
+  const FullMap full = clock.stage("full resolution", 0.05, [&] {
+    FullMap map = toFullResolution(source.shape, target.shape, best);
+    result.correspondence =
+        correspondenceOf(source.given, source.shape, target.given, target.shape, map, result.trust);
+    return map;
+  });
+  const RefinedShape scaled = rescaled(source.shape, best.scale);
+  clock.stage("completion", 0.1, [&] {
+    TargetOnSource there;
+    if (options.both_ways || hasLoosePieces(target.given))
+      there = targetOnSource(source, scaled, target, full, result);
+    const OnPieces on_pieces = onPieces(source.given, target.given, there.back, there.pieces);
+    result.deformed = deformedInput(source, scaled, target, full, on_pieces);
+    addMatches(source.given, on_pieces, result);
+    placeLoosePieces(source.given, target.given, result);
+    giveVerdict(result);
+    if (options.both_ways) {
+      result.back = WayBack{std::move(there.back.correspondence)};
+      measureMiss(source.given, target.given.input, result.correspondence, *result.back);
+    }
+  });
+  if (options.refine_alternatives)
+    clock.stage("alternatives", 0.0, [&] { refineAlternatives(chosen, result); });
+  return result;
+}
+
+}  // namespace posture
