@@ -23,8 +23,9 @@ std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
 /// Finalists, and the best of what comes of keeping a part of the first different ones that may
 /// convince and laying the rest anew (growAnew()), where that scores better than what it came of
 /// and than any that is the same answer, looks like one body and keeps the outside out. By
-/// increasing score. \param distinct  of the finalists, those that are different, by more than
-/// `gap`.
+/// increasing score.
+///
+/// \param distinct  of the finalists, those that are different, by more than `gap`.
 std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
                                          const SpectralSurface& target,
                                          const std::vector<int>& distinct,

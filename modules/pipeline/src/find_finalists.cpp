@@ -46,14 +46,13 @@ std::vector<Finalist> bentFinalists(const SpectralSurface& source,
                                     const SpectralSurface& target,
                                     const SampledShape& source_samples,
                                     const SampledShape& target_samples,
-                                    double gap,
                                     const std::vector<SampleMap>& pool,
                                     StageClock& clock) {
   // Those that keep the outside out, bent onto the target; the least strained first.
   return clock.stage("bending", 0.1, [&] {
     std::vector<Finalist> bent =
         registerFinalists(source, target, source_samples, target_samples, pool);
-    exchangeParts(source, target, gap, bent);
+    exchangeParts(source, target, answerGap(target_samples), bent);
     return bent;
   });
 }

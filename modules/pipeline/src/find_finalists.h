@@ -14,14 +14,12 @@ namespace posture {
 /// The bending stage: maps between the coarse surfaces that keep the outside out, by increasing
 /// score.
 /// \param source, target  at one scale.
-/// \param gap  distance from which on answers are different.
 /// \param pool  sample maps, by increasing distortion.
 /// \throws std::runtime_error  a surface cannot be bent (Arap)
 std::vector<Finalist> bentFinalists(const SpectralSurface& source,
                                     const SpectralSurface& target,
                                     const SampledShape& source_samples,
                                     const SampledShape& target_samples,
-                                    double gap,
                                     const std::vector<SampleMap>& pool,
                                     StageClock& clock);
 

@@ -159,7 +159,6 @@ FirstMaps firstMaps(const GivenShape& source_given,
                              *first.target_coarse,
                              source.shape.samples,
                              target.shape.samples,
-                             answerGap(target.shape.samples),
                              pool,
                              clock);
   return first;
