@@ -152,6 +152,22 @@ TEST(IsDecisive, onlyFarWorseScoresAre) {
   EXPECT_FALSE(isDecisive(NONE, NONE)) << "neither has a map";
 }
 
+TEST(TrustIn, noneWhereTwoAnswersAreFlawless) {
+  RegistrationResult result;
+  result.chosen = 0;
+  result.score = -16.4;
+  result.alternatives.resize(2);
+  const auto rival = [&](double score) {
+    result.alternatives[0].refined_score = result.score;
+    result.alternatives[1].refined_score = score;
+    return trustIn(result);
+  };
+  EXPECT_EQ(rival(-14.6), 0);
+  EXPECT_GT(rival(-12), 0.9) << "the other one has a flaw";
+  result.score = -13;
+  EXPECT_GT(rival(-11.5), 0.9);
+}
+
 TEST(MayConvince, whatConvincesMayAndWhatIsDecisivelyWorseMayNot) {
   double limit = -20;
   while (convinces(limit)) limit += 0.01;

@@ -20,6 +20,10 @@ constexpr double LEAST_CONSISTENCY = 0.855;
 /// docs/decisions/trust.md has the measurements.
 constexpr double EVEN_SCORE = -8.7, SCORE_WIDTH = 0.3;
 
+/// A map that scores so is right about all that the surfaces show. What it could score better by is
+/// how the vertices of both happen to lie, which says nothing of another answer that is as good.
+constexpr double FLAWLESS = -13.5;
+
 /// On coarse meshes the right answer may be worse by so much.
 constexpr double DECISIVE = 1;
 
@@ -28,6 +32,10 @@ constexpr double LEAST_TRUST = 0.5;
 
 /// How likely it is, by its score alone, that a map is between poses of one body.
 double likenessOf(double score) { return 1 / (1 + std::exp((score - EVEN_SCORE) / SCORE_WIDTH)); }
+
+double marginOf(double better, double worse) {
+  return std::max(FLAWLESS, worse) - std::max(FLAWLESS, better);
+}
 
 /// The answer most likely next to the chosen one; -1: there is none.
 int rivalOf(const RegistrationResult& result) {
@@ -63,11 +71,11 @@ double marginBefore(const RegistrationResult& result, const AlternativeSummary& 
   const std::vector<AlternativeSummary>& all = result.alternatives;
   const AlternativeSummary& chosen = all[result.chosen];
   if (other.refined_score && chosen.refined_score)
-    return *other.refined_score - *chosen.refined_score;
+    return marginOf(*chosen.refined_score, *other.refined_score);
   // Refinement tells more than the scores before it, by which another may have been the best.
   const auto best = std::min_element(
       all.begin(), all.end(), [](const auto& x, const auto& y) { return x.score < y.score; });
-  return other.score - best->score;
+  return marginOf(best->score, other.score);
 }
 
 double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& other) {

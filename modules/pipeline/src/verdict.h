@@ -17,7 +17,8 @@ std::string mappedMessage(const RegistrationResult& result);
 void givePublishedVerdict(RegistrationResult& result);
 
 /// By how much the chosen answer scores better than another one: refined where both scores of that
-/// are known, else how much better the best of all scored before refinement.
+/// are known, else how much better the best of all scored before refinement. None where both are
+/// flawless: a rectangle of cloth fits on another one in two ways.
 double marginBefore(const RegistrationResult& result, const AlternativeSummary& other);
 
 /// How likely another answer is beside the chosen one, by that margin; at most 1.
