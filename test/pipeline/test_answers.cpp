@@ -168,6 +168,12 @@ TEST(TrustIn, noneWhereTwoAnswersAreFlawless) {
   EXPECT_GT(rival(-11.5), 0.9);
 }
 
+TEST(IsFlawless, whatIsScoresBetterThanWhatConvinces) {
+  EXPECT_TRUE(isFlawless(-16));
+  EXPECT_FALSE(isFlawless(-12));
+  EXPECT_FALSE(isFlawless(std::numeric_limits<double>::infinity()));
+}
+
 TEST(MayConvince, whatConvincesMayAndWhatIsDecisivelyWorseMayNot) {
   double limit = -20;
   while (convinces(limit)) limit += 0.01;

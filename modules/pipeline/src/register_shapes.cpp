@@ -247,7 +247,7 @@ RegistrationResult registerMeshes(const GivenShape& source,
   attempts.push_back({std::move(main), {}});
   if (joined) attempts.push_back({std::move(*joined), {}});
   if (std::none_of(attempts.begin(), attempts.end(), [](const Attempt& attempt) {
-        return attempt.found.trust >= ALL_BUT_CERTAIN;
+        return attempt.found.trust >= ALL_BUT_CERTAIN || isFlawless(attempt.found.score);
       }))
     addPieceAttempts(source, target, options, clock, attempts);
   return bestAttempt(std::move(attempts), target.input, options, clock);

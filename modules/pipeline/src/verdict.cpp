@@ -84,6 +84,8 @@ double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& 
 
 bool convinces(double score) { return score < EVEN_SCORE; }
 
+bool isFlawless(double score) { return score <= FLAWLESS; }
+
 bool isDecisive(double better, double worse) { return worse - better >= DECISIVE; }
 
 bool mayConvince(double score) { return !isDecisive(EVEN_SCORE, score); }

@@ -34,6 +34,9 @@ double trustIn(const RegistrationResult& result);
 /// Whether a map scores as those between poses of one body do.
 bool convinces(double score);
 
+/// Whether a map is right about all that the surfaces show: no other one fits better.
+bool isFlawless(double score);
+
 /// Whether one of two maps between coarse meshes scores so much better that the other one, refined,
 /// will hardly be the right one. Letting go of parts can make up for more.
 bool isDecisive(double better, double worse);
