@@ -68,8 +68,10 @@ TEST(NearestRotations, whereOthersAreNearlyAsGood) {
   for (int a = 0; a < 18; ++a)
     for (int b = 0; b < 18; ++b) {
       const double near = std::pow(10.0, -a), nearer = std::pow(10.0, -b);
-      for (const Vector3d& stretch : {Vector3d(1, 1 - near, -1 + nearer), Vector3d(1, near, -near),
-                                      Vector3d(1, near, 0), Vector3d(1, near, nearer)})
+      for (const Vector3d& stretch : {Vector3d(1, 1 - near, -1 + nearer),
+                                      Vector3d(1, near, -near),
+                                      Vector3d(1, near, 0),
+                                      Vector3d(1, near, nearer)})
         given.emplace_back(randomRotation(rng) * stretch.asDiagonal() * randomRotation(rng));
     }
   expectNearest(given, 1e-7);

@@ -64,13 +64,13 @@ Eigen::Array<bool, LANES, 1> nearestRotations(const Lanes& given, Lanes& rotatio
     for (int j = 0; j < 3; ++j) m.at[i][j] = scale * given.at[i][j];
   const Lanes c = cofactors(m);
   const Lane det = determinant(m, c), squared = squaredNorm(c), constant = 1 - 4 * squared;
-  // From above, where Newton's steps never pass the root: I2^2 = |cof M|^2 + 2 det M t, with t from 1
-  // to sqrt(3) where I2 >= 0; elsewhere the root is below 1 and the start is not. Close to it where
-  // a surface is nearly flat.
+  // From above, where Newton's steps never pass the root: I2^2 = |cof M|^2 + 2 det M t, with t from
+  // 1 to sqrt(3) where I2 >= 0; elsewhere the root is below 1 and the start is not. Close to it
+  // where a surface is nearly flat.
   const Lane most = (squared + 2 * det.max(std::sqrt(3.0) * det)).max(0).sqrt();
   Lane t = (1 + 2 * most).sqrt();
-  // The slope falls on the way down, to 8 times the product of the sums of two singular values each:
-  // where that vanishes roots meet, and steps are noise. False for what is no number.
+  // The slope falls on the way down, to 8 times the product of the sums of two singular values
+  // each: where that vanishes roots meet, and steps are noise. False for what is no number.
   Eigen::Array<bool, LANES, 1> clear = Eigen::Array<bool, LANES, 1>::Constant(true);
   for (int step = 0; step < MAX_STEPS; ++step) {
     const Lane value = ((t * t - 2) * t - 8 * det) * t + constant;

@@ -26,8 +26,9 @@ PatchedShape withPatches(const TriangleMesh& input, const CleanMesh& clean);
 /// With pieces joined to the main surface across narrow gaps (bridgePieces()).
 PatchedShape withBridges(const TriangleMesh& input, const CleanMesh& clean);
 
-/// Takes the patches out of a result: their vertices have no row, and what lies on one, farther from
-/// its rim than an edge and than maps are off, has no counterpart.
+/// Takes the patches out of a result: their vertices have no row, and what lies on one, farther
+/// from its rim than an edge and than maps are off, has no counterpart.
+///
 /// \param source, target  as they came, without patches.
 void leaveOutPatches(const GivenShape& source,
                      const PatchedShape& source_patched,

@@ -22,8 +22,8 @@ struct ReducedMesh {
 /// triangulation, as the Laplacian asks for. A mesh of at most `count` vertices keeps its faces.
 ReducedMesh reduceMesh(const TriangleMesh& mesh, int count);
 
-/// Flips edges whose opposite angles sum to more than pi, except where a face would come to lie more
-/// than 60 degrees from the two before. Sharp edges between thin faces may be cut off.
+/// Flips edges whose opposite angles sum to more than pi, except where a face would come to lie
+/// more than 60 degrees from the two before. Sharp edges between thin faces may be cut off.
 Faces delaunayFlips(const TriangleMesh& mesh);
 
 }  // namespace posture

@@ -14,9 +14,11 @@ namespace posture {
 std::vector<int> tipsOf(const SampledShape& shape);
 
 /// Maps between the samples of two shapes that take tips to tips: where bodies stretch or lack
-/// parts, the maps that change distances least shorten limbs or leave them out. Which tip goes to which is decided
-/// by how thick the limbs are and, roughly, by how far apart they lie; mirrored ways are among
-/// them. The most likely first, at most `most`; none where one of the shapes has too few tips.
+/// parts, the maps that change distances least shorten limbs or leave them out. Which tip goes to
+/// which is decided by how thick the limbs are and, roughly, by how far apart they lie; mirrored
+/// ways are among them. The most likely first, at most `most`; none where one of the shapes has too
+/// few tips.
+///
 /// \pre  both in one unit, about the square roots of their areas.
 std::vector<SampleMap> tipMaps(const SampledShape& a, const SampledShape& b, int most);
 
