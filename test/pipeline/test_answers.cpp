@@ -64,12 +64,10 @@ TEST_F(AnswersTest, theOneThatWinsIsAmongTheForemost) {
 
 TEST_F(AnswersTest, anotherAnswerIsRefinedWhereScoresDoNotDecide) {
   const std::vector<Finalist> near{finalist(0, -12), finalist(0, -11.9), finalist(9, -11.5)};
-  EXPECT_EQ(leadingOf(near, {0, 2}, 2), (Answers{0, 1, 2}));
+  EXPECT_EQ(leadingOf(near, {0, 2}), (Answers{0, 2}));
   const std::vector<Finalist> far{finalist(0, -12), finalist(0, -11.9), finalist(9, -10.5)};
-  EXPECT_EQ(leadingOf(far, {0, 2}, 2), (Answers{0, 1}));
-  EXPECT_EQ(leadingOf(near, {0, 2}, 1), (Answers{0, 2}));
-  EXPECT_EQ(leadingOf(far, {0, 2}, 1), (Answers{0}));
-  EXPECT_EQ(leadingOf({finalist(0, -12)}, {0}, 2), (Answers{0}));
+  EXPECT_EQ(leadingOf(far, {0, 2}), (Answers{0}));
+  EXPECT_EQ(leadingOf({finalist(0, -12)}, {0}), (Answers{0}));
 }
 
 TEST_F(AnswersTest, anAnswerIsAllButCertainWhereItFitsAndNoOtherComesNear) {
@@ -85,10 +83,10 @@ TEST_F(AnswersTest, fourAnswersAndOneThatWasLaidAreRefinedAtMost) {
   for (int column : {0, 4, 8, 12, 16, 20})
     finalists.push_back(finalist(column, -7 + column / 80.0));
   const Answers all{0, 1, 2, 3, 4, 5};
-  EXPECT_EQ(leadingOf(finalists, all, 2), (Answers{0, 1, 2, 3}));
+  EXPECT_EQ(leadingOf(finalists, all), (Answers{0, 1, 2, 3}));
   finalists.back().bent.emplace();
   finalists.back().laid = true;
-  EXPECT_EQ(leadingOf(finalists, all, 2), (Answers{0, 1, 2, 3, 5}));
+  EXPECT_EQ(leadingOf(finalists, all), (Answers{0, 1, 2, 3, 5}));
 }
 
 TEST_F(AnswersTest, whatRefinementLeadsToTheBestIsNoAnswerOfItsOwn) {

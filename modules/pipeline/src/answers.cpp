@@ -44,20 +44,18 @@ std::vector<int> foremost(const std::vector<int>& answers, int chosen, std::size
 }
 
 std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
-                           const std::vector<int>& distinct,
-                           std::size_t first) {
+                           const std::vector<int>& distinct) {
   constexpr std::size_t ANSWERS = 4;
   const double best = finalists.front().score.total();
   std::vector<int> leading;
-  const auto add = [&](int i) {
-    if (std::find(leading.begin(), leading.end(), i) == leading.end()) leading.push_back(i);
-  };
-  for (std::size_t i = 0; i < std::min(first, finalists.size()); ++i) add(static_cast<int>(i));
-  for (std::size_t k = 1; k < std::min(ANSWERS, distinct.size()); ++k)
-    if (!isDecisive(best, finalists[distinct[k]].score.total())) add(distinct[k]);
-  const auto laid =
+  for (std::size_t k = 0; k < std::min(ANSWERS, distinct.size()); ++k)
+    if (!isDecisive(best, finalists[distinct[k]].score.total())) leading.push_back(distinct[k]);
+  const auto first_laid =
       std::find_if(finalists.begin(), finalists.end(), [](const Finalist& f) { return f.laid; });
-  if (laid != finalists.end()) add(static_cast<int>(laid - finalists.begin()));
+  const int laid = static_cast<int>(first_laid - finalists.begin());
+  if (first_laid != finalists.end() &&
+      std::find(leading.begin(), leading.end(), laid) == leading.end())
+    leading.push_back(laid);
   return leading;
 }
 

@@ -28,12 +28,10 @@ bool isAllButCertain(const std::vector<Finalist>& finalists, const std::vector<i
 /// The first `most` answers, but always the chosen one. \pre  it is one of them, and `most` > 0.
 std::vector<int> foremost(const std::vector<int>& answers, int chosen, std::size_t most);
 
-/// Those worth refining: the first ones, the best of other answers whose scores are too near to
+/// Those worth refining: the first one, the best of other answers whose scores are too near to
 /// decide, and one that was laid if there is any.
-/// \param first  how many in any case: they often are one answer in different states.
 std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
-                           const std::vector<int>& distinct,
-                           std::size_t first);
+                           const std::vector<int>& distinct);
 
 /// Where refinement led different answers.
 class RefinedAnswers {

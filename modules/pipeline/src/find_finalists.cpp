@@ -57,37 +57,33 @@ std::vector<Finalist> bentFinalists(const SpectralSurface& source,
   });
 }
 
-Finalists findFinalists(const PosedSide& source_side,
-                        const PosedSide& target_side,
-                        const SpectralSurface& source,
-                        const SpectralSurface& target,
-                        std::vector<Finalist> bent,
-                        bool may_lack,
-                        const RegistrationResult* known,
-                        bool may_stop,
-                        StageClock& clock) {
+std::optional<std::vector<Finalist>> findFinalists(const PosedSide& source_side,
+                                                   const PosedSide& target_side,
+                                                   const SpectralSurface& source,
+                                                   const SpectralSurface& target,
+                                                   std::vector<Finalist> finalists,
+                                                   bool may_lack,
+                                                   const RegistrationResult* known,
+                                                   bool may_stop,
+                                                   StageClock& clock) {
   const SampledShape &source_samples = source_side.shape.samples,
                      &target_samples = target_side.shape.samples;
   const double gap = answerGap(target_samples);
-  Finalists found;
-  std::vector<Finalist>& finalists = found.maps;
-  finalists = std::move(bent);
   const auto convince = [&] {
     return !finalists.empty() && convinces(finalists.front().score.total());
   };
 
   const auto distinct = [&] { return distinctFinalists(finalists, target.mesh, gap); };
-  const auto confirm = [&] {
-    found.confirm_known = confirms(known, source_side, target_side, finalists);
-    found.known_stands =
-        may_stop && found.confirm_known && knownStands(*known, finalists.front().score.total());
+  bool confirm_known = false;  // the best leads everywhere to where a trusted answer does
+  // Looked at again after each stage; whether nothing more need be sought.
+  const auto knownOneStands = [&] {
+    confirm_known = confirms(known, source_side, target_side, finalists);
+    return may_stop && confirm_known && knownStands(*known, finalists.front().score.total());
   };
-  confirm();
-  if (found.known_stands) return found;
+  if (knownOneStands()) return {};
   // Where bodies stretch, the right candidate is not among those that change distances least, nor
   // where they lack parts.
-  if (!convince() ||
-      (may_lack && !found.confirm_known && !isAllButCertain(finalists, distinct()))) {
+  if (!convince() || (may_lack && !confirm_known && !isAllButCertain(finalists, distinct()))) {
     clock.stage("tips", 0.03, [&] {
       finalists = joined(std::move(finalists),
                          registerFinalists(source,
@@ -98,13 +94,12 @@ Finalists findFinalists(const PosedSide& source_side,
       bendFurther(source, target, finalists);
       exchangeParts(source, target, gap, finalists);
     });
-    confirm();
-    if (found.known_stands) return found;
+    if (knownOneStands()) return {};
   }
 
   // A part that the other side lacks is squeezed onto what there is, and leads what is next to it
   // astray.
-  if (may_lack && !found.confirm_known) {
+  if (may_lack && !confirm_known) {
     clock.stage("letting go", 0.03, [&] {
       const std::vector<int> different = distinct();
       finalists = withPartsLetGo(source, target, different, std::move(finalists));
@@ -112,9 +107,8 @@ Finalists findFinalists(const PosedSide& source_side,
     // With holes closed the map is wanted for what it does not lose.
     const bool as_given =
         source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0;
-    confirm();
-    if (found.known_stands) return found;
-    if (as_given && !found.confirm_known) {
+    if (knownOneStands()) return {};
+    if (as_given && !confirm_known) {
       clock.stage("growing anew", 0.03, [&] {
         const std::vector<int> different = distinct();
         finalists = withPartsGrownAnew(source, target, different, gap, std::move(finalists));
@@ -139,8 +133,7 @@ Finalists findFinalists(const PosedSide& source_side,
           std::move(finalists),
           layFinalists(source, target, source_side.coarsePlaces(), target_side.coarsePlaces()));
     });
-  if (found.confirm_known) confirm();  // another may be the best now
-  return found;
+  return finalists;
 }
 
 }  // namespace posture

@@ -7,6 +7,7 @@
 #include "finalists.h"
 #include "posed_side.h"
 #include "stage_clock.h"
+#include <optional>
 #include <vector>
 
 namespace posture {
@@ -23,28 +24,23 @@ std::vector<Finalist> bentFinalists(const SpectralSurface& source,
                                     const std::vector<SampleMap>& pool,
                                     StageClock& clock);
 
-struct Finalists {
-  std::vector<Finalist> maps;  ///< between the coarse surfaces, by increasing score
-  bool confirm_known = false;  ///< the best one leads everywhere to where a trusted answer does
-  bool known_stands = false;   ///< so much that nothing more was sought (knownStands())
-};
-
 /// The stages from tips to laying over: what else is found where the bent maps do not tell.
 /// \param source_side, target_side  at one scale.
 /// \param source, target  their coarse surfaces.
-/// \param bent  bentFinalists().
+/// \param finalists  bentFinalists().
 /// \param may_lack  whether a side may lack a part that the other one has.
 /// \param known  an answer found otherwise, in the numbering of both inputs; null: none.
-/// \param may_stop  whether to end as soon as that is confirmed and stands.
+/// \param may_stop  whether to end as soon as that is confirmed and stands (knownStands()).
+/// \return  maps between the coarse surfaces, by increasing score; nothing: it ended so.
 /// \throws std::runtime_error  a surface cannot be bent (Arap)
-Finalists findFinalists(const PosedSide& source_side,
-                        const PosedSide& target_side,
-                        const SpectralSurface& source,
-                        const SpectralSurface& target,
-                        std::vector<Finalist> bent,
-                        bool may_lack,
-                        const RegistrationResult* known,
-                        bool may_stop,
-                        StageClock& clock);
+std::optional<std::vector<Finalist>> findFinalists(const PosedSide& source_side,
+                                                   const PosedSide& target_side,
+                                                   const SpectralSurface& source,
+                                                   const SpectralSurface& target,
+                                                   std::vector<Finalist> finalists,
+                                                   bool may_lack,
+                                                   const RegistrationResult* known,
+                                                   bool may_stop,
+                                                   StageClock& clock);
 
 }  // namespace posture

@@ -25,9 +25,6 @@ namespace {
 constexpr int POOL = 32;
 constexpr std::size_t MOST_ALTERNATIVES = 4;
 
-/// So many finalists are refined in any case, and of those that only confirm what is known.
-constexpr std::size_t REFINED = 2, REFINED_TO_CONFIRM = 1;
-
 /// Its part of the time.
 constexpr double REFINEMENT = 0.14;
 
@@ -84,9 +81,8 @@ std::vector<RefinedMap> refineLeading(const RefinedShape& source,
                                       const RefinedShape& target,
                                       bool may_lack,
                                       const std::vector<Finalist>& finalists,
-                                      const std::vector<int>& distinct,
-                                      std::size_t first) {
-  const std::vector<int> leading = leadingOf(finalists, distinct, first);
+                                      const std::vector<int>& distinct) {
+  const std::vector<int> leading = leadingOf(finalists, distinct);
   std::vector<const Finalist*> chosen;
   for (int i : leading) chosen.push_back(&finalists[i]);
   std::vector<RefinedMap> maps = refineFinalists(source, target, may_lack, chosen);
@@ -176,21 +172,20 @@ bool chooseMap(const FirstMaps& first_maps,
   const SpectralSurface &source_coarse = *first_maps.source_coarse,
                         &target_coarse = *first_maps.target_coarse;
   chosen.may_lack = mayLack(source, target);
-  Finalists found = findFinalists(source,
-                                  target,
-                                  source_coarse,
-                                  target_coarse,
-                                  first_maps.bent,
-                                  chosen.may_lack,
-                                  known,
-                                  may_stop,
-                                  clock);
-  if (found.known_stands) {
+  std::optional<std::vector<Finalist>> found = findFinalists(source,
+                                                             target,
+                                                             source_coarse,
+                                                             target_coarse,
+                                                             first_maps.bent,
+                                                             chosen.may_lack,
+                                                             known,
+                                                             may_stop,
+                                                             clock);
+  if (!found) {
     clock.skip(REFINEMENT);
     return false;
   }
-  const std::size_t first = found.confirm_known ? REFINED_TO_CONFIRM : REFINED;
-  chosen.finalists = std::move(found.maps);
+  chosen.finalists = std::move(*found);
   const std::vector<Finalist>& finalists = chosen.finalists;
   RegistrationResult& result = chosen.result;
   result.source = summarize(source.given, source.shape);
@@ -207,7 +202,7 @@ bool chooseMap(const FirstMaps& first_maps,
   // The best of the leading ones wins.
   clock.stage("refinement", REFINEMENT, [&] {
     const std::vector<RefinedMap> refined =
-        refineLeading(source.shape, target.shape, chosen.may_lack, finalists, distinct, first);
+        refineLeading(source.shape, target.shape, chosen.may_lack, finalists, distinct);
     const RefinedAnswers refined_answers(
         refined, finalists, distinct, target_coarse.mesh, target.shape.work.mesh, gap);
     chosen.best = refined.front();
