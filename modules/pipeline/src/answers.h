@@ -29,7 +29,7 @@ bool isAllButCertain(const std::vector<Finalist>& finalists, const std::vector<i
 std::vector<int> foremost(const std::vector<int>& answers, int chosen, std::size_t most);
 
 /// Those worth refining: the first one, the best of other answers whose scores are too near to
-/// decide, and one that was laid if there is any.
+/// decide, and one that was laid if there is any, also of the same answer.
 std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
                            const std::vector<int>& distinct);
 

@@ -75,12 +75,14 @@ std::optional<std::vector<Finalist>> findFinalists(const PosedSide& source_side,
 
   const auto distinct = [&] { return distinctFinalists(finalists, target.mesh, gap); };
   bool confirm_known = false;  // the best leads everywhere to where a trusted answer does
-  // Looked at again after each stage; whether nothing more need be sought.
-  const auto knownOneStands = [&] {
+  bool known_stands = false;   // so that nothing more need be sought
+  const auto lookAgain = [&] {
     confirm_known = confirms(known, source_side, target_side, finalists);
-    return may_stop && confirm_known && knownStands(*known, finalists.front().score.total());
+    known_stands =
+        may_stop && confirm_known && knownStands(*known, finalists.front().score.total());
   };
-  if (knownOneStands()) return {};
+  lookAgain();
+  if (known_stands) return std::nullopt;
   // Where bodies stretch, the right candidate is not among those that change distances least, nor
   // where they lack parts.
   if (!convince() || (may_lack && !confirm_known && !isAllButCertain(finalists, distinct()))) {
@@ -94,7 +96,8 @@ std::optional<std::vector<Finalist>> findFinalists(const PosedSide& source_side,
       bendFurther(source, target, finalists);
       exchangeParts(source, target, gap, finalists);
     });
-    if (knownOneStands()) return {};
+    lookAgain();
+    if (known_stands) return std::nullopt;
   }
 
   // A part that the other side lacks is squeezed onto what there is, and leads what is next to it
@@ -107,7 +110,8 @@ std::optional<std::vector<Finalist>> findFinalists(const PosedSide& source_side,
     // With holes closed the map is wanted for what it does not lose.
     const bool as_given =
         source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0;
-    if (knownOneStands()) return {};
+    lookAgain();
+    if (known_stands) return std::nullopt;
     if (as_given && !confirm_known) {
       clock.stage("growing anew", 0.03, [&] {
         const std::vector<int> different = distinct();

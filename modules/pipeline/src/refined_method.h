@@ -18,8 +18,7 @@ struct BegunAttempt {
   double score = std::numeric_limits<double>::infinity();
 
   /// \param known  an answer found otherwise, in the numbering of both inputs; null: none. Where it
-  /// is trusted and the best finalist agrees with it, none is changed any more, and of finalists
-  /// that are the same answer that one alone is refined.
+  /// is trusted and the best finalist agrees with it, none is changed any more.
   /// \param may_stop  whether to give the attempt up, to nothing, where the known answer stands
   /// (knownStands() in attempts.h). Called once.
   std::function<std::optional<Attempt>(const RegistrationResult* known, bool may_stop)> goOn;

@@ -20,8 +20,8 @@ constexpr double LEAST_CONSISTENCY = 0.855;
 /// docs/decisions/trust.md has the measurements.
 constexpr double EVEN_SCORE = -8.7, SCORE_WIDTH = 0.3;
 
-/// A map that scores so is right about all that the surfaces show. What it could score better by is
-/// how the vertices of both happen to lie, which says nothing of another answer that is as good.
+/// Scores below it count as that: what such maps differ by is how the vertices of both sides happen
+/// to lie more than what their surfaces show.
 constexpr double FLAWLESS = -13.5;
 
 /// On coarse meshes the right answer may be worse by so much.
@@ -32,10 +32,6 @@ constexpr double LEAST_TRUST = 0.5;
 
 /// How likely it is, by its score alone, that a map is between poses of one body.
 double likenessOf(double score) { return 1 / (1 + std::exp((score - EVEN_SCORE) / SCORE_WIDTH)); }
-
-double marginOf(double better, double worse) {
-  return std::max(FLAWLESS, worse) - std::max(FLAWLESS, better);
-}
 
 /// The answer most likely next to the chosen one; -1: there is none.
 int rivalOf(const RegistrationResult& result) {
@@ -48,8 +44,11 @@ int rivalOf(const RegistrationResult& result) {
 }
 
 /// How likely it is that the better of two answers is the right one: even at a margin of 0.35, as
-/// scores of one answer differ by that much between starts.
-double decisionOf(double margin) { return 1 - std::exp(-2 * std::max(0.0, margin)); }
+/// scores of one answer differ by that much between starts. Never nothing: confidences are in it.
+double decisionOf(double margin) {
+  constexpr double LEAST = 1e-6;
+  return 1 - std::exp(-2 * std::max(LEAST, margin));
+}
 
 /// With one decimal: a figure just below the limit must not read like it.
 std::string percent(double share) {
@@ -65,6 +64,10 @@ std::string mappedMessage(const RegistrationResult& result) {
   return std::to_string(mapped) + " of " + std::to_string(places.size()) +
          (result.source_scan ? " source points" : " source vertices") + " have a counterpart (" +
          percent(static_cast<double>(mapped) / static_cast<double>(places.size())) + ")";
+}
+
+double marginOf(double better, double worse) {
+  return std::max(FLAWLESS, worse) - std::max(FLAWLESS, better);
 }
 
 double marginBefore(const RegistrationResult& result, const AlternativeSummary& other) {
@@ -84,9 +87,11 @@ double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& 
 
 bool convinces(double score) { return score < EVEN_SCORE; }
 
-bool isFlawless(double score) { return score <= FLAWLESS; }
+bool needsNoOther(double score, double trust) {
+  return score <= FLAWLESS || trust >= ALL_BUT_CERTAIN;
+}
 
-bool isDecisive(double better, double worse) { return worse - better >= DECISIVE; }
+bool isDecisive(double better, double worse) { return marginOf(better, worse) >= DECISIVE; }
 
 bool mayConvince(double score) { return !isDecisive(EVEN_SCORE, score); }
 
