@@ -68,8 +68,6 @@ TEST_F(AnswersTest, anotherAnswerIsRefinedWhereScoresDoNotDecide) {
   const std::vector<Finalist> far{finalist(0, -12), finalist(0, -11.9), finalist(9, -10.5)};
   EXPECT_EQ(leadingOf(far, {0, 2}), (Answers{0}));
   EXPECT_EQ(leadingOf({finalist(0, -12)}, {0}), (Answers{0}));
-  const std::vector<Finalist> flawless{finalist(0, -15.7), finalist(9, -14)};
-  EXPECT_EQ(leadingOf(flawless, {0, 1}), (Answers{0, 1}));
 }
 
 TEST_F(AnswersTest, anAnswerIsAllButCertainWhereItFitsAndNoOtherComesNear) {
@@ -150,44 +148,6 @@ TEST(IsDecisive, onlyFarWorseScoresAre) {
   EXPECT_TRUE(isDecisive(-9, NONE));
   EXPECT_FALSE(isDecisive(NONE, -9));
   EXPECT_FALSE(isDecisive(NONE, NONE)) << "neither has a map";
-}
-
-TEST(TrustIn, noneWhereTwoAnswersAreFlawless) {
-  RegistrationResult result;
-  result.chosen = 0;
-  result.score = -16.4;
-  result.alternatives.resize(2);
-  const auto rival = [&](double score) {
-    result.alternatives[0].refined_score = result.score;
-    result.alternatives[1].refined_score = score;
-    return trustIn(result);
-  };
-  EXPECT_LT(rival(-14.6), 1e-3);
-  EXPECT_EQ(likelihoodOf(result, result.alternatives[1]), 1);
-  EXPECT_GT(rival(-14.6), 0) << "confidences are in it";
-  EXPECT_GT(rival(-12), 0.9) << "the other one has a flaw";
-  result.alternatives[0] = {};
-  result.alternatives[0].score = -15.7;
-  result.alternatives[1] = {};
-  result.alternatives[1].score = -14;
-  EXPECT_LT(trustIn(result), 1e-3) << "before refinement as well";
-}
-
-TEST(TrustIn, ofAFlawlessAnswerCountsTheFlawsOfTheOther) {
-  RegistrationResult result;
-  result.chosen = 0;
-  result.score = -14.1;
-  result.alternatives.resize(2);
-  result.alternatives[0].refined_score = -14.1;
-  result.alternatives[1].refined_score = -12.6;
-  EXPECT_NEAR(trustIn(result), 1 - std::exp(-1.8), 1e-6);
-}
-
-TEST(NeedsNoOther, whatIsAllButCertainOrFlawlessDoesNot) {
-  EXPECT_TRUE(needsNoOther(-16, 0));
-  EXPECT_TRUE(needsNoOther(-12, 0.95));
-  EXPECT_FALSE(needsNoOther(-12, 0.85));
-  EXPECT_FALSE(needsNoOther(std::numeric_limits<double>::infinity(), 0));
 }
 
 TEST(MayConvince, whatConvincesMayAndWhatIsDecisivelyWorseMayNot) {

@@ -31,8 +31,8 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
 bool isAllButCertain(const std::vector<Finalist>& finalists, const std::vector<int>& distinct) {
   const auto score = [&](std::size_t k) { return finalists[distinct[k]].score.total(); };
   const double margin =
-      distinct.size() > 1 ? marginOf(score(0), score(1)) : std::numeric_limits<double>::infinity();
-  return needsNoOther(score(0), trustIn(score(0), margin));
+      distinct.size() > 1 ? score(1) - score(0) : std::numeric_limits<double>::infinity();
+  return trustIn(score(0), margin) >= ALL_BUT_CERTAIN;
 }
 
 std::vector<int> foremost(const std::vector<int>& answers, int chosen, std::size_t most) {

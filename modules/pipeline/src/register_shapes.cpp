@@ -180,9 +180,9 @@ ShapeSummary withPart(const ShapeSummary& whole, const ShapeSummary& part) {
   return summary;
 }
 
-/// For shapes of which no answer is all but certain or flawless: one may be a piece of the other.
-/// It is then registered with the parts of that one it resembles, begun with all of them; the best
-/// goes on, and others until one convinces whose first map was decisively better than theirs.
+/// For shapes of which no answer is all but certain: one may be a piece of the other. It is then
+/// registered with the parts of that one it resembles, begun with all of them; the best goes on,
+/// and others until one convinces whose first map was decisively better than theirs.
 void addPieceAttempts(const GivenShape& source,
                       const GivenShape& target,
                       const RegistrationOptions& options,
@@ -247,7 +247,7 @@ RegistrationResult registerMeshes(const GivenShape& source,
   attempts.push_back({std::move(main), {}});
   if (joined) attempts.push_back({std::move(*joined), {}});
   if (std::none_of(attempts.begin(), attempts.end(), [](const Attempt& attempt) {
-        return needsNoOther(attempt.found.score, attempt.found.trust);
+        return attempt.found.trust >= ALL_BUT_CERTAIN;
       }))
     addPieceAttempts(source, target, options, clock, attempts);
   return bestAttempt(std::move(attempts), target.input, options, clock);

@@ -20,10 +20,6 @@ constexpr double LEAST_CONSISTENCY = 0.855;
 /// docs/decisions/trust.md has the measurements.
 constexpr double EVEN_SCORE = -8.7, SCORE_WIDTH = 0.3;
 
-/// Scores below it count as that: what such maps differ by is how the vertices of both sides happen
-/// to lie more than what their surfaces show.
-constexpr double FLAWLESS = -13.5;
-
 /// On coarse meshes the right answer may be worse by so much.
 constexpr double DECISIVE = 1;
 
@@ -44,11 +40,8 @@ int rivalOf(const RegistrationResult& result) {
 }
 
 /// How likely it is that the better of two answers is the right one: even at a margin of 0.35, as
-/// scores of one answer differ by that much between starts. Never nothing: confidences are in it.
-double decisionOf(double margin) {
-  constexpr double LEAST = 1e-6;
-  return 1 - std::exp(-2 * std::max(LEAST, margin));
-}
+/// scores of one answer differ by that much between starts.
+double decisionOf(double margin) { return 1 - std::exp(-2 * std::max(0.0, margin)); }
 
 /// With one decimal: a figure just below the limit must not read like it.
 std::string percent(double share) {
@@ -66,19 +59,15 @@ std::string mappedMessage(const RegistrationResult& result) {
          percent(static_cast<double>(mapped) / static_cast<double>(places.size())) + ")";
 }
 
-double marginOf(double better, double worse) {
-  return std::max(FLAWLESS, worse) - std::max(FLAWLESS, better);
-}
-
 double marginBefore(const RegistrationResult& result, const AlternativeSummary& other) {
   const std::vector<AlternativeSummary>& all = result.alternatives;
   const AlternativeSummary& chosen = all[result.chosen];
   if (other.refined_score && chosen.refined_score)
-    return marginOf(*chosen.refined_score, *other.refined_score);
+    return *other.refined_score - *chosen.refined_score;
   // Refinement tells more than the scores before it, by which another may have been the best.
   const auto best = std::min_element(
       all.begin(), all.end(), [](const auto& x, const auto& y) { return x.score < y.score; });
-  return marginOf(best->score, other.score);
+  return other.score - best->score;
 }
 
 double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& other) {
@@ -87,11 +76,7 @@ double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& 
 
 bool convinces(double score) { return score < EVEN_SCORE; }
 
-bool needsNoOther(double score, double trust) {
-  return score <= FLAWLESS || trust >= ALL_BUT_CERTAIN;
-}
-
-bool isDecisive(double better, double worse) { return marginOf(better, worse) >= DECISIVE; }
+bool isDecisive(double better, double worse) { return worse - better >= DECISIVE; }
 
 bool mayConvince(double score) { return !isDecisive(EVEN_SCORE, score); }
 

@@ -16,10 +16,6 @@ std::string mappedMessage(const RegistrationResult& result);
 /// distances on them agree under it.
 void givePublishedVerdict(RegistrationResult& result);
 
-/// By how much one answer scores better than another. Scores below -13.5, flawless ones, count as
-/// that: there is no margin between two, as of a rectangle of cloth that fits in two ways.
-double marginOf(double better, double worse);
-
 /// By how much the chosen answer scores better than another one: refined where both scores of that
 /// are known, else how much better the best of all scored before refinement.
 double marginBefore(const RegistrationResult& result, const AlternativeSummary& other);
@@ -29,10 +25,6 @@ double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& 
 
 /// So much trust is all but certain: what would only look for another answer is left out.
 constexpr double ALL_BUT_CERTAIN = 0.9;
-
-/// Whether what would only look for another answer can be left out: this one is all but certain, or
-/// flawless, and one that fits as well would only leave it undecided.
-bool needsNoOther(double score, double trust);
 
 /// How far the score of a map and its margin before the next different one speak for it, in [0, 1].
 double trustIn(double score, double margin);
