@@ -34,7 +34,7 @@ std::string curvePlot(const std::vector<NamedSeries>& curves) {
   plot.x = {"geodesic error / square root of the area", 0, 0.25};
   plot.y = {"share of true pairs", 0, 1};
   for (const NamedSeries& curve : curves)
-    plot.lines.push_back({curve.name, curvePlaces(), curve.values, false, false});
+    plot.lines.push_back({curve.name, curvePlaces(), curve.values});
   return toSvg(plot);
 }
 

@@ -54,7 +54,7 @@ std::string trustPlot(const TrustCurve& curve) {
   plot.title = "Trust: good and bad maps told apart";
   plot.x = {"share of the bad maps trusted", 0, 1};
   plot.y = {"share of the good maps trusted", 0, 1};
-  PlotLine line{"trust", {0}, {0}, false, false};
+  PlotLine line{"trust", {0}, {0}};
   for (const TrustCurve::Point& p : curve.points) {
     line.x.push_back(curve.badAbove(p.trust));
     line.y.push_back(curve.goodAbove(p.trust));

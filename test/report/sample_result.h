@@ -9,7 +9,7 @@
 
 namespace posture::test {
 
-/// A result with every member set, infinity and NaN among them.
+/// A result of the published method, infinity and NaN among its figures.
 inline RegistrationResult sampleResult() {
   RegistrationResult result;
   result.status = Status::REGISTERED;

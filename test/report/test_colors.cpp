@@ -111,10 +111,12 @@ TEST(TransferColors, pointsOfACloudTakeTheColorOfTheSurfaceThroughThem) {
   EXPECT_EQ(colors.row(2), Colors::Constant(1, 3, REJECTED_GREY).row(0));
 }
 
-TEST(TransferColors, vertexMapTakesTheMean) {
+TEST(TransferColors, meanOfAllAtAVertex) {
   Colors source(3, 3);
   source << 100, 0, 0, 201, 0, 50, 9, 9, 9;
-  const Colors colors = transferColors(source, {1, 1, -1}, 3);
+  Correspondence correspondence;
+  for (const int vertex : {1, 1, -1}) correspondence.on_target.push_back({vertex, -1, {0, 0, 0}});
+  const Colors colors = transferColors(source, correspondence, test::grid(1, 1, 1, 1));
   EXPECT_EQ(colors(1, 0), 151);  // of 150.5
   EXPECT_EQ(colors(1, 2), 25);
   EXPECT_EQ(colors(0, 0), REJECTED_GREY);
@@ -124,10 +126,12 @@ TEST(TransferColors, vertexMapTakesTheMean) {
 TEST(TransferColors, misuseThrows) {
   const Colors source = Colors::Zero(3, 3);
   const TriangleMesh target = test::grid(1, 1, 1, 1);
-  EXPECT_THROW(transferColors(source, {0, 1}, 3), std::invalid_argument);
-  EXPECT_THROW(transferColors(source, {0, 1, 3}, 3), std::invalid_argument);
+  EXPECT_THROW(transferColors(Colors::Zero(2, 3), threePlaces(), target), std::invalid_argument);
   Correspondence beyond = threePlaces();
   beyond.on_target[0].face = 2;
+  EXPECT_THROW(transferColors(source, beyond, target), std::invalid_argument);
+  beyond = threePlaces();
+  beyond.on_target[2].vertex = 4;
   EXPECT_THROW(transferColors(source, beyond, target), std::invalid_argument);
 }
 

@@ -43,15 +43,6 @@ TEST(SvgPlot, axesAreTickedAtRoundPlaces) {
   EXPECT_EQ(svg.find(">0.30<"), std::string::npos);
 }
 
-TEST(SvgPlot, dashesAndMarkersShow) {
-  LinePlot plot = curves();
-  EXPECT_EQ(test::countOf(toSvg(plot), "stroke-dasharray"), 0);
-  EXPECT_EQ(test::countOf(toSvg(plot), "<circle"), 0);
-  plot.lines[0].dashed = plot.lines[0].markers = true;
-  EXPECT_EQ(test::countOf(toSvg(plot), "stroke-dasharray"), 2);  // the line, the legend
-  EXPECT_EQ(test::countOf(toSvg(plot), "<circle"), 101);
-}
-
 TEST(SvgPlot, gapsWhereValuesAreMissing) {
   LinePlot plot;
   PlotLine line;

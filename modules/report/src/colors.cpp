@@ -138,17 +138,6 @@ Colors transferColors(const Colors& source,
 }
 
 Colors transferColors(const Colors& source,
-                      const std::vector<int>& target_vertex,
-                      Eigen::Index target_vertices) {
-  require(source.rows() == static_cast<Eigen::Index>(target_vertex.size()),
-          "colours and map are not of the same shape");
-  ColorSums sums(target_vertices);
-  for (Eigen::Index i = 0; i < source.rows(); ++i)
-    if (target_vertex[i] >= 0) sums.add(target_vertex[i], 1, source, i);
-  return sums.means();
-}
-
-Colors transferColors(const Colors& source,
                       const Correspondence& correspondence,
                       const Shape& target,
                       const std::optional<ScanSurface>& scan) {

@@ -20,7 +20,7 @@ constexpr const char* STYLE =
     ".status{padding:.7em 1em;border-radius:6px;background:#e6f3ea}.undecided{background:#fbeedd}"
     ".bar{background:#0072b2;height:.8em;display:inline-block}"
     "td.wide{text-align:left;width:26em}"
-    "figure{margin:1em 0}figcaption{color:#555}img{max-width:100%}.note{color:#555}";
+    ".note{color:#555}";
 
 std::string element(const std::string& tag, const std::string& content) {
   return "<" + tag + ">" + content + "</" + tag.substr(0, tag.find(' ')) + ">";
@@ -30,20 +30,6 @@ std::string row(const std::vector<std::string>& cells, const std::string& cell_t
   std::string content;
   for (const std::string& text : cells) content += element(cell_tag, escapedMarkup(text));
   return content;
-}
-
-std::string base64(const std::string& bytes) {
-  static const char* const DIGITS =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned value = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      value = value << 8u | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (int k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? DIGITS[value >> (18u - 6u * k) & 63u] : '=';
-  }
-  return text;
 }
 
 std::string headline(const RegistrationResult& result) {
@@ -74,15 +60,6 @@ std::string figures(const RegistrationResult& result) {
   return element("table", content);
 }
 
-std::string pictureTag(const ReportPicture& picture) {
-  const std::string source = picture.png.empty() ? escapedMarkup(picture.reference)
-                                                 : "data:image/png;base64," + base64(picture.png);
-  const std::string caption = escapedMarkup(picture.caption);
-  return element(
-      "figure",
-      "<img src=\"" + source + "\" alt=\"" + caption + "\">" + element("figcaption", caption));
-}
-
 std::string candidates(const RegistrationResult& result) {
   std::string content = element(
       "tr",
@@ -110,21 +87,25 @@ std::string candidates(const RegistrationResult& result) {
 std::string alternatives(const RegistrationResult& result) {
   std::string content = element("tr",
                                 row({"Distance from the chosen answer, % of sqrt(area)",
+                                     "refined score",
                                      "score",
                                      "bending",
                                      "curvature",
                                      "distortion",
                                      "return miss",
+                                     "let go",
                                      "orientation"},
                                     "th"));
   for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
     const AlternativeSummary& a = result.alternatives[k];
     const std::string cells = row({formatFixed(100 * a.gap, 1),
+                                   a.refined_score ? formatFixed(*a.refined_score, 2) : "-",
                                    formatFixed(a.score, 2),
                                    formatShort(a.bending),
                                    formatShort(a.curvature),
                                    formatShort(a.distortion),
                                    formatShort(a.return_miss),
+                                   formatShort(a.let_go),
                                    formatFixed(a.orientation, 2)});
     const bool chosen = static_cast<int>(k) == result.chosen;
     content += element(chosen ? "tr class=\"chosen\"" : "tr", cells);
@@ -227,15 +208,12 @@ std::string thisRun(const RegistrationResult& result, const RunDescription& run)
 
 }  // namespace
 
-std::string reportHtml(const RegistrationResult& result,
-                       const RunDescription& run,
-                       const std::vector<ReportPicture>& pictures) {
+std::string reportHtml(const RegistrationResult& result, const RunDescription& run) {
   const auto section = [](const std::string& title, const std::string& content) {
     return element("h2", title) + "\n" + content + "\n";
   };
   std::string body = element("h1", escapedMarkup(run.source + " \u2192 " + run.target)) + "\n" +
                      headline(result) + "\n" + figures(result) + "\n";
-  for (const ReportPicture& picture : pictures) body += pictureTag(picture) + "\n";
   if (!result.hypotheses.empty())
     body += section("Candidates",
                     element("p class=\"note\"",
@@ -243,12 +221,14 @@ std::string reportHtml(const RegistrationResult& result,
                             "common mesh (E_D) wins.") +
                         candidates(result));
   if (!result.alternatives.empty())
-    body += section("Answers compared",
-                    element("p class=\"note\"",
-                            "The different ways to lay one body on the other that keep the outside "
-                            "out. The score is the sum of the logarithms of the four figures after "
-                            "it; the lowest wins.") +
-                        alternatives(result));
+    body +=
+        section("Answers compared",
+                element("p class=\"note\"",
+                        "The different ways to lay one body on the other that keep the outside "
+                        "out. The score is ln bending + ln curvature + ln distortion + ln (0.02 "
+                        "+ return miss) - 4 ln (1 - let go); of those refined, the one with the "
+                        "lowest refined score wins.") +
+                    alternatives(result));
   body += section("Shapes", shapes(result, run));
   if (!run.options.empty()) body += section("Options", list(run.options));
   if (!run.files.empty()) body += section("Files", list(run.files));

@@ -129,7 +129,7 @@ void SvgCanvas::addHorizontalLabel(const std::string& label) {
   addText((left() + right()) / 2, bottom() + 42, "text-anchor=\"middle\"", label);
 }
 
-std::string SvgCanvas::finish(bool legend_of_lines, const std::vector<bool>& dashed) {
+std::string SvgCanvas::finish(bool legend_of_lines) {
   add("<path d=\"M" + coordinate(left()) + " " + coordinate(top()) + "V" + coordinate(bottom()) +
       "H" + coordinate(right()) + "\" fill=\"none\" stroke=\"#333\"/>");
   for (std::size_t k = 0; legend_.size() > 1 && k < legend_.size(); ++k) {
@@ -137,7 +137,6 @@ std::string SvgCanvas::finish(bool legend_of_lines, const std::vector<bool>& das
     std::string mark = "<path d=\"M" + coordinate(x) + " " + coordinate(y) + "h24\" stroke=\"";
     mark += color(k);
     mark += legend_of_lines ? "\" stroke-width=\"2\"" : "\" stroke-width=\"12\"";
-    if (k < dashed.size() && dashed[k]) mark += " stroke-dasharray=\"6 4\"";
     add(mark + "/>");
     addText(x + LEGEND_MARK, y + 4, "", legend_[k]);
   }

@@ -40,7 +40,7 @@ class SvgCanvas {
   void add(const std::string& element) { body_ += element + "\n"; }
 
   /// The whole document.
-  std::string finish(bool legend_of_lines, const std::vector<bool>& dashed);
+  std::string finish(bool legend_of_lines);
 
   static std::string color(std::size_t index);
 

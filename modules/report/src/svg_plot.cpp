@@ -39,16 +39,9 @@ std::string pathOf(const PlotLine& line, const Scales& scales, const SvgCanvas& 
 void addLine(const PlotLine& line, std::size_t index, const Scales& scales, SvgCanvas& canvas) {
   const std::string color = SvgCanvas::color(index);
   const std::string path = pathOf(line, scales, canvas);
-  const std::string dash = line.dashed ? " stroke-dasharray=\"6 4\"" : "";
   if (!path.empty())
     canvas.add("<path clip-path=\"url(#plot)\" d=\"" + path + "\" fill=\"none\" stroke=\"" + color +
-               "\" stroke-width=\"2\" stroke-linejoin=\"round\"" + dash + "/>");
-  for (std::size_t i = 0; line.markers && i < line.x.size(); ++i)
-    if (std::isfinite(line.x[i]) && std::isfinite(line.y[i]))
-      canvas.add("<circle clip-path=\"url(#plot)\" cx=\"" +
-                 coordinate(canvas.toX(scales.x.share(line.x[i]))) + "\" cy=\"" +
-                 coordinate(canvas.toY(scales.y.share(line.y[i]))) + "\" r=\"3\" fill=\"" + color +
-                 "\"/>");
+               "\" stroke-width=\"2\" stroke-linejoin=\"round\"/>");
 }
 
 /// Lines that leave the axes' range end at the frame.
@@ -63,11 +56,9 @@ void addClip(SvgCanvas& canvas) {
 
 std::string toSvg(const LinePlot& plot) {
   std::vector<std::string> names;
-  std::vector<bool> dashed;
   for (const PlotLine& line : plot.lines) {
     require(line.x.size() == line.y.size(), "line " + line.name + " has more x than y, or fewer");
     names.push_back(line.name);
-    dashed.push_back(line.dashed);
   }
   const Scales scales{scaleFor(plot.x, allOf(plot.lines, &PlotLine::x)),
                       scaleFor(plot.y, allOf(plot.lines, &PlotLine::y))};
@@ -76,7 +67,7 @@ std::string toSvg(const LinePlot& plot) {
   canvas.addVerticalScale(scales.y, plot.y.label);
   canvas.addHorizontalScale(scales.x, plot.x.label);
   for (std::size_t k = 0; k < plot.lines.size(); ++k) addLine(plot.lines[k], k, scales, canvas);
-  return canvas.finish(true, dashed);
+  return canvas.finish(true);
 }
 
 std::string toSvg(const BarPlot& plot) {
@@ -106,7 +97,7 @@ std::string toSvg(const BarPlot& plot) {
                  coordinate(width * (canvas.right() - canvas.left())) + "\" height=\"" +
                  coordinate(std::abs(base - end)) + "\" fill=\"" + SvgCanvas::color(g) + "\"/>");
     }
-  return canvas.finish(false, {});
+  return canvas.finish(false);
 }
 
 }  // namespace posture

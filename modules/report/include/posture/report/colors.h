@@ -47,11 +47,6 @@ Colors transferColors(const Colors& source,
                       const Correspondence& correspondence,
                       const TriangleMesh& target);
 
-/// The same for a map from vertex to vertex (-1: rejected).
-Colors transferColors(const Colors& source,
-                      const std::vector<int>& target_vertex,
-                      Eigen::Index target_vertices);
-
 /// The same for a shape as it was given. \param scan  the surface laid through a target that is a
 /// cloud, which faces refer to.
 Colors transferColors(const Colors& source,

@@ -19,8 +19,6 @@ struct PlotAxis {
 struct PlotLine {
   std::string name;
   std::vector<double> x, y;
-  bool dashed = false;
-  bool markers = false;  ///< a dot at every point
 };
 
 struct LinePlot {
