@@ -148,6 +148,10 @@ TEST(BadMesh, plyHeader) {
         "its vertices have no x, y and z"},
        {"a.ply", plyHead("ascii", "0", "0"), "there are no vertices"},
        {"a.ply",
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty list uchar float x\nproperty float y\n"
+        "property float z\nend_header\n1 5 2 3\n",
+        "a list where one number is due: 'x'"},
+       {"a.ply",
         "ply\nformat binary_little_endian 1.0\nelement e 4000000000\nelement vertex "
         "4000000000\nend_header\n",
         "its vertices have no x, y and z"}});

@@ -219,6 +219,14 @@ TEST(Stl, capitalsSeveralSolidsAndPolygons) {
   EXPECT_EQ(file.mesh.vertices.topRows(3), corner_triangle);
 }
 
+TEST(Stl, blankLinesMayComeBeforeIt) {
+  EXPECT_EQ(parse(".stl",
+                  "\n \r\nsolid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                  "vertex 0 1 0\nendloop\nendfacet\nendsolid\n")
+                .mesh.faces.rows(),
+            1);
+}
+
 TEST(Stl, binaryMayHaveBytesBehindIt) {
   const TriangleMesh mesh = test::grid(1, 1, 1, 1);
   EXPECT_EQ(parse(".stl", test::binaryStl(mesh, "solid x") + "more").mesh.faces.rows(), 2);

@@ -89,6 +89,16 @@ std::string compressed(const std::string& lzf, std::size_t full) {
          raw(static_cast<std::uint32_t>(full)) + lzf;
 }
 
+TEST(Ply, sharesOfColourAreKnownThoughTheFirstPointHasNone) {
+  const PointCloud cloud = readCloud("a.ply",
+                                     "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
+                                     "property float y\nproperty float z\nproperty float red\n"
+                                     "property float green\nproperty float blue\nend_header\n"
+                                     "nan nan nan nan nan nan\n1 2 3 1 0.2 0\n");
+  ASSERT_EQ(cloud.colors.rows(), 2);
+  EXPECT_EQ(cloud.colors.row(1), (Eigen::Matrix<std::uint8_t, 1, 3>(255, 51, 0)));
+}
+
 TEST(Pcd, asciiWithNormalsColoursAndUnseenPoints) {
   const PointCloud cloud = readCloud(
       "a.pcd",

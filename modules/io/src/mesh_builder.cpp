@@ -101,8 +101,9 @@ MeshFile MeshBuilder::finish(ColorRange range) {
   if (normals_.size() == coordinates_.size() && (is_cloud || allFinite(normals_)))
     file.normals = toPoints(normals_);
   if (colors_.size() == coordinates_.size()) {
-    const double largest = *std::max_element(colors_.begin(), colors_.end());
-    const double scale = range == ColorRange::UNIT && largest <= 1 ? 255 : 1;
+    const bool shares =
+        std::none_of(colors_.begin(), colors_.end(), [](double c) { return c > 1; });
+    const double scale = range == ColorRange::UNIT && shares ? 255 : 1;
     file.colors.resize(file.mesh.vertices.rows(), 3);
     std::transform(colors_.begin(), colors_.end(), file.colors.data(), [scale](double value) {
       return toByte(scale * value);

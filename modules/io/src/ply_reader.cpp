@@ -104,6 +104,11 @@ class PlyReader {
   void readVertices(const PlyElement& element) {
     const VertexLayout layout(element);
     if (!VertexLayout::complete(layout.position)) input_.fail("its vertices have no x, y and z");
+    for (const auto& part : {layout.position, layout.normal, layout.color})
+      for (int place : part)
+        if (place >= 0 && element.properties[static_cast<std::size_t>(place)].is_list)
+          input_.fail("a property of its vertices is a list where one number is due: " +
+                      inQuotes(element.properties[static_cast<std::size_t>(place)].name));
     const bool normals = VertexLayout::complete(layout.normal);
     const bool colors = VertexLayout::complete(layout.color);
     double color_scale = 1;
