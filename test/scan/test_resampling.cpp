@@ -40,6 +40,11 @@ TEST(NoiseScale, KnowsViewsThatDoNotFit) {
   EXPECT_TRUE(noiseScale(solid, NeighborSearch(solid)).double_walls);
 }
 
+TEST(NoiseScale, FewPointsSayNothingOfViews) {
+  const Points points = test::planePoints(100, 0);
+  EXPECT_FALSE(noiseScale(points, NeighborSearch(points)).double_walls);
+}
+
 TEST(Cells, HoldTheMeanOfTheirPoints) {
   Points points(4, 3);
   points << 0.1, 0, 0, 2.5, 0, 0, 0.3, 0, 0, -0.1, 0, 0;

@@ -36,7 +36,7 @@ ScanPoints averaged(const ScanPoints& scan, double side) {
     Points& sums = fewer.hints.directions = Points::Zero(cells.means.rows(), 3);
     for (int i = 0; i < scan.points.rows(); ++i)
       sums.row(cells.cell[i]) += scan.hints.directions.row(i);
-    sums.rowwise().normalize();
+    for (int c = 0; c < sums.rows(); ++c) sums.row(c).normalize();  // 0, not known, stays 0
   }
   return fewer;
 }

@@ -42,7 +42,7 @@ double relativeThickness(const Points& points, const NeighborSearch& search, int
 NoiseScale noiseScale(const Points& points, const NeighborSearch& search) {
   constexpr double FLAT = 0.20, FLATTEST_DOUBLE_WALL = 0.16;
   NoiseScale scale;
-  double least = 1;
+  double least = std::numeric_limits<double>::infinity();
   int flat_at = 0;
   for (int k = 10; k <= 5120 && k < points.rows() / 16; k *= 2) {
     const double thickness = relativeThickness(points, search, k);
@@ -50,7 +50,7 @@ NoiseScale noiseScale(const Points& points, const NeighborSearch& search) {
     if (flat_at == 0 && thickness < FLAT) flat_at = k;
     if (least < FLATTEST_DOUBLE_WALL && flat_at > 0) break;
   }
-  scale.double_walls = least > FLATTEST_DOUBLE_WALL;
+  scale.double_walls = std::isfinite(least) && least > FLATTEST_DOUBLE_WALL;
   if (flat_at > 0) scale.neighbors = flat_at;
   return scale;
 }
