@@ -75,6 +75,10 @@ TEST(ThinPlateSpline, fallsBackOnFewOrFlatPoints) {
     const Points from = randomPoints(count, 8), to = randomPoints(count, 9);
     EXPECT_LT(rms(ThinPlateSpline(from, to), from, to), 1e-9) << count;
   }
+  const Points one_place = Points::Constant(3, 3, 0.5), to = randomPoints(3, 9);
+  EXPECT_LT((ThinPlateSpline(one_place, to)(one_place.row(0)) - to.colwise().mean()).norm(), 1e-9);
+  EXPECT_LT((ThinPlateSpline(one_place, to, 0)(one_place.row(0)) - to.colwise().mean()).norm(),
+            1e-9);
   Points flat = randomPoints(30, 10);
   flat.col(2).setZero();
   EXPECT_LT(rms(ThinPlateSpline(flat, bend(flat), 0), flat, bend(flat)), 1e-8);

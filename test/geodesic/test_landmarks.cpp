@@ -136,6 +136,24 @@ TEST(Landmarks, pathsOnAClosedSurfaceAreTrusted) {
   EXPECT_EQ(landmarks.confidence.minCoeff(), 1.0f);
 }
 
+TEST(Landmarks, whereThereIsNoPathNothingRunsAlongARim) {
+  // Two sheets, whose paths within one another run along their rims.
+  TriangleMesh sheets = test::grid(8, 8, 1, 1);
+  const int n = static_cast<int>(sheets.vertices.rows()), m = static_cast<int>(sheets.faces.rows());
+  sheets.vertices.conservativeResize(2 * n, 3);
+  sheets.vertices.bottomRows(n) =
+      sheets.vertices.topRows(n).rowwise() + Eigen::RowVector3d(0, 0, 9);
+  sheets.faces.conservativeResize(2 * m, 3);
+  sheets.faces.bottomRows(m) = sheets.faces.topRows(m).array() + n;
+  const Landmarks landmarks = computeLandmarks(sheets, FastMarching(sheets), 20);
+  EXPECT_LT(landmarks.confidence.minCoeff(), 1.0f);
+  for (std::size_t i = 0; i < landmarks.vertices.size(); ++i)
+    for (std::size_t j = 0; j < landmarks.vertices.size(); ++j)
+      if ((landmarks.vertices[i] < n) != (landmarks.vertices[j] < n)) {
+        EXPECT_EQ(landmarks.confidence(i, j), 1.0f);
+      }
+}
+
 TEST(Landmarks, pathsRoundAHoleAreTrustedByTheirShareOfItsRim) {
   // A long strip with a square hole in the middle: only what passes the hole runs along its rim.
   TriangleMesh strip = test::grid(60, 12, 5, 1);

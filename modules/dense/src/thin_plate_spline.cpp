@@ -63,16 +63,18 @@ void ThinPlateSpline::fit(const Points& to, const double* smoothing) {
     const int rest = m - rank;
     const Eigen::SelfAdjointEigenSolver<Matrix> eigen(kernel.bottomRightCorner(rest, rest));
     const Vector eigenvalues = eigen.eigenvalues().cwiseMax(0.0);
-    const Matrix coordinates = eigen.eigenvectors().transpose() * data.bottomRows(rest);
-    smoothing_ = smoothing != nullptr
-                     ? *smoothing
-                     : crossValidated(eigenvalues, coordinates.rowwise().squaredNorm());
     const double floor = std::numeric_limits<double>::epsilon() * eigenvalues.maxCoeff();
-    const Vector inverse = (eigenvalues.array() + smoothing_).cwiseMax(floor).inverse();
-    Matrix weights = Matrix::Zero(m, 3);
-    weights.bottomRows(rest) = eigen.eigenvectors() * (inverse.asDiagonal() * coordinates);
-    weights.applyOnTheLeft(q);
-    weights_ = weights;
+    if (floor > 0) {  // else all points are at one place
+      const Matrix coordinates = eigen.eigenvectors().transpose() * data.bottomRows(rest);
+      smoothing_ = smoothing != nullptr
+                       ? *smoothing
+                       : crossValidated(eigenvalues, coordinates.rowwise().squaredNorm());
+      const Vector inverse = (eigenvalues.array() + smoothing_).cwiseMax(floor).inverse();
+      Matrix weights = Matrix::Zero(m, 3);
+      weights.bottomRows(rest) = eigen.eigenvectors() * (inverse.asDiagonal() * coordinates);
+      weights.applyOnTheLeft(q);
+      weights_ = weights;
+    }
   }
   // What the kernel part and the smoothing leave is affine.
   Matrix left = to - smoothing_ * weights_;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace posture {
 
@@ -27,8 +28,8 @@ Points classicalScaling(const Matrix& distances) {
   Spectra::SymEigsSolver<Spectra::DenseSymMatProd<double>> solver(product, 3, krylov);
   solver.init();
   solver.compute(Spectra::SortRule::LargestAlge);
-  require(solver.info() == Spectra::CompInfo::Successful,
-          "classicalScaling: no eigenvectors found");
+  if (solver.info() != Spectra::CompInfo::Successful)
+    throw std::runtime_error("classicalScaling: no eigenvectors found");
   Points points(s, 3);
   for (int k = 0; k < 3; ++k)
     points.col(k) =

@@ -135,8 +135,10 @@ Landmarks computeLandmarks(const TriangleMesh& mesh, const FastMarching& marchin
   constexpr int BLOCK = 8;
   forBlocks(s, BLOCK, [&](int first, int last) {
     GeodesicField field;
-    std::vector<int> edges(n, 0), hole_edges(n, 0);
+    std::vector<int> edges, hole_edges;
     for (int i = first; i < last; ++i) {
+      edges.assign(n, 0);
+      hole_edges.assign(n, 0);
       marching.march(landmarks.vertices[i], field);
       for (int v = 0; v < n; ++v) landmarks.distances(i, v) = static_cast<float>(field.distance[v]);
       pathConfidence(field, boundary, edges, hole_edges);

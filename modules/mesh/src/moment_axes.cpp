@@ -16,7 +16,7 @@ Eigen::Matrix3d momentAxes(const Points& points, const Vector& weights) {
   const Eigen::Vector3d skewness =
       (weights.transpose() * along.array().cube().matrix())
           .transpose()
-          .cwiseQuotient(solver.eigenvalues().cwiseMax(1e-300).array().pow(1.5).matrix());
+          .cwiseQuotient(solver.eigenvalues().cwiseMax(1e-200).array().pow(1.5).matrix());
   int least = 0;
   skewness.cwiseAbs().minCoeff(&least);
   for (int k = 0; k < 3; ++k)

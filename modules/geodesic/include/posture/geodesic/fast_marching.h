@@ -19,8 +19,10 @@ struct GeodesicField {
   GeodesicField& operator=(GeodesicField&&) noexcept;
 
   std::vector<double> distance;  ///< n, in mesh units; infinity where not reached
-  std::vector<int> predecessor;  ///< n: the neighbour the front came through; -1 at the source
-  std::vector<int> order;        ///< vertices reached, by increasing distance
+  /// n: the vertex the front came from, -1 at the source; a neighbour, or behind an obtuse corner
+  /// one that becomes a neighbour where faces are unfolded.
+  std::vector<int> predecessor;
+  std::vector<int> order;  ///< vertices reached, by increasing distance
 
  private:
   friend class FastMarching;

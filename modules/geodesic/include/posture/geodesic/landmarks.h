@@ -14,7 +14,7 @@ struct Landmarks {
   std::vector<int> vertices;  ///< s, in the order they were chosen: any prefix is spread evenly too
   std::vector<int> nearest;   ///< n: the sample (index into `vertices`) nearest to each vertex
   Table distances;            ///< s x n, in mesh units; infinity where not connected
-  Table confidence;           ///< s x s, in [0, 1], symmetric: w of section 4.1
+  Table confidence;           ///< s x s, in [0, 1], symmetric: w of section 4.1; 1 where no path is
   double covering_radius = 0;  ///< no vertex is farther from its nearest sample, in mesh units
 };
 
@@ -33,7 +33,8 @@ Landmarks voronoiSamples(const TriangleMesh& mesh,
                          double spacing);
 
 /// As voronoiSamples, with all distances and the confidence of the path between each two samples,
-/// w = 1 - m_h / m: of the m edges of the path, m_h lie on the boundary of the surface, where the
+/// w = 1 - m_h / m: of the m steps of the path (edges, or longer ones over unfolded faces, see
+/// GeodesicField), m_h lie on the boundary of the surface, where the
 /// path had to go round a hole.
 Landmarks computeLandmarks(const TriangleMesh& mesh, const FastMarching& marching, int most = 1000);
 
