@@ -31,6 +31,15 @@ TEST(ApplyDeformation, isExactAtTheVertices) {
   EXPECT_EQ(applyDeformation(mesh, bent, mesh.vertices), bent);
 }
 
+TEST(ApplyDeformation, isExactAtVerticesTooNearForSinglePrecision) {
+  TriangleMesh mesh = test::grid(20, 10, 2, 1);
+  const int v = mesh.faces(200, 0), w = mesh.faces(200, 1);
+  mesh.vertices.row(w) = mesh.vertices.row(v) + Eigen::RowVector3d(1e-10, 0, 0);
+  Points bent = mesh.vertices;
+  bent.col(2) += 0.1 * mesh.vertices.col(0);
+  EXPECT_EQ(applyDeformation(mesh, bent, mesh.vertices), bent);
+}
+
 TEST(ApplyDeformation, takesEverythingAlongWithASimilarity) {
   const TriangleMesh mesh = test::sphere(2);
   const Points points = 3 * test::randomPoints(200, 4);  // inside and out, near and far

@@ -20,11 +20,11 @@ TEST(FollowMatches, carriesARigidMotionToEverything) {
   };
   std::vector<char> known(n, 0);
   for (int v = 0; v < n; v += 3) known[v] = 1;
-  Points extra(1, 3);
-  extra << 0.1, 0.2, 0.3;
-  const Points result = followMatches(sphere, known, moved(sphere.vertices), extra, {5});
+  Points extra(3, 3);
+  extra << 0.1, 0.2, 0.3, -1, 0.5, 2, 0, 0, 0;
+  const Points result = followMatches(sphere, known, moved(sphere.vertices), extra, {5, 5, 8});
   EXPECT_LT((result.topRows(n) - moved(sphere.vertices)).norm(), 1e-9);
-  EXPECT_LT((result.bottomRows(1) - moved(extra)).norm(), 1e-9);
+  EXPECT_LT((result.bottomRows(3) - moved(extra)).norm(), 1e-9);
 }
 
 TEST(FollowMatches, leavesTheShapeWhereNothingIsKnown) {

@@ -78,6 +78,21 @@ TEST(Attempts, aRivalCostsAllMapsTrustAndIsLessLikelyItself) {
       result.alternatives[1].correspondence.confidence[0], result.trust * std::exp(-0.5), 1e-12);
 }
 
+TEST(Attempts, oneThatMapsLessAndAgreesThereIsNoRival) {
+  RegistrationResult part = answerWith(-11.5, 1);
+  part.correspondence.on_target[1] = part.correspondence.on_target[2] = {};
+  const RegistrationResult result = best({{answerWith(-12, 1), {}}, {part, {}}});
+  EXPECT_EQ(result.alternatives.size(), 1u);
+  EXPECT_DOUBLE_EQ(result.trust, 0.9);
+}
+
+TEST(Attempts, aTieLeavesConfidencesInProportion) {
+  const RegistrationResult result = best({{answerWith(-12, 1), {}}, {answerWith(-12, 2), {}}});
+  EXPECT_GT(result.trust, 0);
+  EXPECT_LT(result.trust, 0.01);
+  EXPECT_DOUBLE_EQ(result.correspondence.confidence[0], result.trust);
+}
+
 TEST(Attempts, onlyTheBestIsFinished) {
   const auto attempt = [](double score, int place, int& finishings) {
     return Attempt{answerWith(score, place), [=, &finishings] {

@@ -27,7 +27,7 @@ RefinedShape ellipsoid(double bump) {
   RefinedShape shape = fullSide("ellipsoid", mesh, false);
   reduceSide(static_cast<int>(mesh.vertices.rows()), shape);
   addSpectrum(shape);
-  addSamples(shape);
+  addSamples("body", shape);
   return shape;
 }
 

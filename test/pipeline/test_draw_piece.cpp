@@ -48,7 +48,7 @@ struct Target {
   }
 
   TriangleMesh mesh;
-  TargetSurface surface;
+  PieceTarget surface;
 };
 
 TriangleMesh movedMesh(const Eigen::Isometry3d& motion, const TriangleMesh& mesh) {

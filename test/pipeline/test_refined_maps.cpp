@@ -15,7 +15,7 @@ RefinedShape refinedShape(const TriangleMesh& mesh) {
   RefinedShape shape = fullSide("club", mesh, false);
   reduceSide(5000, shape);
   addSpectrum(shape);
-  addSamples(shape);
+  addSamples("body", shape);
   return shape;
 }
 

@@ -75,7 +75,7 @@ TEST(RegisterScans, aPointFarOffHasNoPlace) {
   EXPECT_LT(result.correspondence.on_target[FAR_OFF].vertex, 0);
 }
 
-TEST(RegisterScans, progressComesToOne) {
+TEST(RegisterScans, progressComesNearOneAndStaysBelow) {
   EXPECT_GT(registered().progress, 0.8);
   EXPECT_LE(registered().progress, 1);
 }

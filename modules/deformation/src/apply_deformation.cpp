@@ -116,14 +116,14 @@ class FrameBlend {
     if (seen != x) nearest = index_.nearest(seen).index;
     const double distance = (source_.vertices.row(nearest).transpose() - seen).norm();
     shares.clear();
-    if (distance == 0) {
-      shares.push_back({nearest, x - seen, 1});
-      return;
-    }
     const double reach = 2 * (edge_ + distance);
     for (int v : nearby.find(i, seen, nearest, reach)) {
       const Vector3d vertex = source_.vertices.row(v);
       const double length = (seen - vertex).norm();
+      if (length == 0) {  // perhaps not the nearest one found, which is so to single precision
+        shares.assign(1, {v, x - vertex, 1});
+        return;
+      }
       const double fade = std::max(0.0, reach - length) / (reach * length);
       shares.push_back({v, x - vertex, fade * fade});
     }

@@ -21,16 +21,17 @@ class KnownNearby {
 
   const std::vector<int>& find(int start) {
     constexpr std::size_t ENOUGH = 12;
+    ++query_;
     found_.clear();
     ring_.assign(1, start);
-    seen_[start] = start;
+    seen_[start] = query_;
     while (!ring_.empty() && found_.size() < ENOUGH) {
       next_.clear();
       for (int v : ring_) {
         if (known_[v]) found_.push_back(v);
         for (const int* w = neighbors_.begin(v); w != neighbors_.end(v); ++w) {
-          if (seen_[*w] == start) continue;
-          seen_[*w] = start;
+          if (seen_[*w] == query_) continue;
+          seen_[*w] = query_;
           next_.push_back(*w);
         }
       }
@@ -42,7 +43,9 @@ class KnownNearby {
  private:
   const VertexNeighbors& neighbors_;
   const std::vector<char>& known_;
-  std::vector<int> seen_, found_, ring_, next_;
+  std::vector<int> seen_;  // the last query that met each vertex
+  std::vector<int> found_, ring_, next_;
+  int query_ = -1;
 };
 
 }  // namespace

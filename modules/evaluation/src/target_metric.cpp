@@ -72,7 +72,6 @@ TargetMetric::TargetMetric(TriangleMesh target)
       marching_(surface_.mesh) {
   root_area_ = std::sqrt(faceAreas(surface_.mesh).sum());
   if (!(root_area_ > 0)) throw InputError("has no area");
-  mean_edge_length_ = posture::meanEdgeLength(surface_.mesh);
   const std::vector<Edge> edges = meshEdges(surface_.mesh.faces);
   neighbor_begin_.assign(surface_.mesh.vertices.rows() + 1, 0);
   for (const Edge& e : edges) {

@@ -27,22 +27,21 @@ constexpr double A_PART = 0.02;
 /// that lead across a face, maps that were astray had lost 1.2 and more.
 constexpr double COST_OF_ADDED = 1;
 
-/// Mean distance between where two answers take what both map; all of the size where they share
-/// less than half.
+/// Mean distance between where two answers take what both map; all of the size where that is less
+/// than half of what either of them does.
 double gapBetween(const RegistrationResult& x,
                   const RegistrationResult& y,
                   const TriangleMesh& target,
                   double size) {
   const std::vector<SurfacePoint>&a = x.correspondence.on_target, &b = y.correspondence.on_target;
   double sum = 0;
-  int both = 0, either = 0;
+  int both = 0;
   for (std::size_t v = 0; v < a.size(); ++v) {
-    either += a[v].vertex >= 0 || b[v].vertex >= 0;
     if (a[v].vertex < 0 || b[v].vertex < 0) continue;
     ++both;
     sum += (positionOf(target, a[v]) - positionOf(target, b[v])).norm();
   }
-  return 2 * both < either || both == 0 ? 1 : sum / (both * size);
+  return both == 0 || 2 * both < std::min(mappedCount(a), mappedCount(b)) ? 1 : sum / (both * size);
 }
 
 /// The one of least score, the first if none is better by more than scores vary.
@@ -131,8 +130,8 @@ RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map)
   verdict.deformed = std::move(map.deformed);
   verdict.back = std::move(map.back);
   verdict.scale = map.scale;
-  verdict.source.patched_holes = map.source.patched_holes;
-  verdict.target.patched_holes = map.target.patched_holes;
+  verdict.source = withMeasured(std::move(verdict.source), map.source);
+  verdict.target = withMeasured(std::move(verdict.target), map.target);
   giveVerdict(verdict);
   return verdict;
 }

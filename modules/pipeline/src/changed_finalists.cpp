@@ -113,6 +113,16 @@ struct Changed {
   bool is_known = false;  ///< the answer of another finalist, in a better state
 };
 
+/// Does work that bends surfaces; none where they are too torn to be bent.
+template <class Work>
+auto ifBendable(const Work& work) -> std::optional<decltype(work())> {
+  try {
+    return work();
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
 /// Finalists, and the best of what was made of them, new answers with what they misplace let go of:
 /// of known ones less of the body always fits a little better.
 std::vector<Finalist> withBestOf(const SpectralSurface& source,
@@ -124,10 +134,14 @@ std::vector<Finalist> withBestOf(const SpectralSurface& source,
   changed.resize(std::min(MOST_CHANGED, changed.size()));
   std::vector<std::optional<Finalist>> better(changed.size());
   parallelFor(static_cast<int>(changed.size()), [&](int i) {
-    auto& [from, pair, score, is_known] = changed[i];
-    std::optional<MapScore> less;
-    if (!is_known) less = letGo(source, target, softness, SCORE_NOISE, pair);
-    better[i] = withMap(source, target, std::move(pair), less.value_or(score), std::move(from));
+    const Changed& one = changed[i];
+    better[i] =
+        ifBendable([&] {
+          BentPair pair = one.pair;
+          std::optional<MapScore> less;
+          if (!one.is_known) less = letGo(source, target, softness, SCORE_NOISE, pair);
+          return withMap(source, target, std::move(pair), less.value_or(one.score), one.from);
+        }).value_or(std::nullopt);
   });
   return joined(std::move(better), std::move(finalists));
 }
@@ -145,12 +159,16 @@ std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
   const double softness = settlingSoftness(source.eigenvalues, target.eigenvalues);
   std::vector<std::optional<Finalist>> loose(tried.size());
   parallelFor(static_cast<int>(tried.size()), [&](int i) {
-    BentPair pair = bentPair(source, target, softness, tried[i]);
-    const BentPair before = pair;
-    const std::optional<MapScore> score = letGo(source, target, softness, SCORE_NOISE, pair);
-    if (score &&
-        score->total() < scoreToBeat(source, target, softness, tried[i], before) - SCORE_NOISE)
-      loose[i] = withMap(source, target, std::move(pair), *score, tried[i]);
+    loose[i] =
+        ifBendable([&]() -> std::optional<Finalist> {
+          BentPair pair = bentPair(source, target, softness, tried[i]);
+          const BentPair before = pair;
+          const std::optional<MapScore> score = letGo(source, target, softness, SCORE_NOISE, pair);
+          if (!score || score->total() >=
+                            scoreToBeat(source, target, softness, tried[i], before) - SCORE_NOISE)
+            return std::nullopt;
+          return withMap(source, target, std::move(pair), *score, tried[i]);
+        }).value_or(std::nullopt);
   });
   return joined(std::move(loose), std::move(finalists));
 }
@@ -165,23 +183,31 @@ std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
   const auto near = std::count_if(distinct.begin(), distinct.end(), [&](int i) {
     return mayConvince(finalists[i].score.total());
   });
-  const std::size_t begun = std::min(MOST_GROWN_FROM, static_cast<std::size_t>(near));
-  std::vector<BentPair> pairs(begun);
-  std::vector<double> before(begun);
-  parallelFor(static_cast<int>(begun), [&](int k) {
-    const Finalist& finalist = finalists[distinct[k]];
-    pairs[k] = bentPair(source, target, softness, finalist);
-    before[k] = scoreToBeat(source, target, softness, finalist, pairs[k]);
+  struct Begun {
+    const Finalist* finalist;
+    BentPair pair;
+    double before;
+  };
+  std::vector<std::optional<Begun>> tried(
+      std::min(MOST_GROWN_FROM, static_cast<std::size_t>(near)));
+  parallelFor(static_cast<int>(tried.size()), [&](int k) {
+    tried[k] = ifBendable([&] {
+      const Finalist& finalist = finalists[distinct[k]];
+      const BentPair pair = bentPair(source, target, softness, finalist);
+      return Begun{&finalist, pair, scoreToBeat(source, target, softness, finalist, pair)};
+    });
   });
-  for (std::size_t k = 0; k < begun; ++k)
-    for (ScoredPair& one : growAnew(source, target, softness, pairs.front(), pairs[k])) {
+  std::vector<Begun> begun;
+  for (std::optional<Begun>& one : tried)
+    if (one) begun.push_back(std::move(*one));
+  for (const Begun& from : begun)
+    for (ScoredPair& one : growAnew(source, target, softness, begun.front().pair, from.pair)) {
       // The same answer once more, less of the body mapped, is no better.
-      double known = before[k];
-      for (std::size_t other = 0; other < begun; ++other)
-        if (gapBetween(target, one.pair, pairs[other]) <= gap)
-          known = std::min(known, before[other]);
+      double known = from.before;
+      for (const Begun& other : begun)
+        if (gapBetween(target, one.pair, other.pair) <= gap) known = std::min(known, other.before);
       if (one.score.total() < known - SCORE_NOISE)
-        grown.push_back({finalists[distinct[k]], std::move(one.pair), one.score, false});
+        grown.push_back({*from.finalist, std::move(one.pair), one.score, false});
     }
   return withBestOf(source, target, softness, std::move(grown), std::move(finalists));
 }

@@ -85,7 +85,7 @@ std::vector<Eigen::Isometry3d> startsFrom(const TargetPart& target,
                                           const std::vector<int>& of_piece,
                                           const std::vector<int>& of_target,
                                           const Eigen::Isometry3d& motion) {
-  const TargetSurface& surface = target.surface();
+  const PieceTarget& surface = target.surface();
   std::vector<Eigen::Isometry3d> starts{motion};
   for (int t : of_target)
     for (int p : of_piece) {

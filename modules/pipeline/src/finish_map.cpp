@@ -30,23 +30,40 @@ Points deformedInput(const PosedSide& source,
                                          source.pose.into(source.given.input.vertices)));
 }
 
-/// Takes the answers that were not chosen to full precision.
-void refineAlternatives(const ChosenMap& chosen, RegistrationResult& result) {
+/// Takes an answer that was not chosen to full precision. Loose pieces have no counterparts in it:
+/// they are placed by what is next to them in the one that was.
+Correspondence refinedAlternative(const ChosenMap& chosen, int begun_from, double trust) {
   const PosedSide &source = chosen.source, &target = chosen.target;
+  RefinedMap map =
+      refineFinalists(source.shape, target.shape, chosen.may_lack, {&chosen.finalists[begun_from]})
+          .front();
+  annealMap(source.shape, target.shape, chosen.may_lack, map);
+  Correspondence correspondence =
+      correspondenceOf(source.given,
+                       source.shape,
+                       target.given,
+                       target.shape,
+                       toFullResolution(source.shape, target.shape, map),
+                       trust);
+  const Vector& offset = source.given.clean.offset;
+  for (Eigen::Index v = 0; v < offset.size(); ++v) {
+    if (!(offset[v] > 0)) continue;
+    correspondence.on_target[static_cast<std::size_t>(v)] = {};
+    correspondence.confidence[v] = 0;
+  }
+  return correspondence;
+}
+
+/// What cannot be bent stays without.
+void refineAlternatives(const ChosenMap& chosen, StageClock& clock, RegistrationResult& result) {
   for (std::size_t k = 0; k < result.alternatives.size(); ++k) {
     if (static_cast<int>(k) == result.chosen) continue;
     AlternativeSummary& other = result.alternatives[k];
-    RefinedMap map =
-        refineFinalists(
-            source.shape, target.shape, chosen.may_lack, {&chosen.finalists[chosen.begun_from[k]]})
-            .front();
-    annealMap(source.shape, target.shape, chosen.may_lack, map);
-    other.correspondence = correspondenceOf(source.given,
-                                            source.shape,
-                                            target.given,
-                                            target.shape,
-                                            toFullResolution(source.shape, target.shape, map),
-                                            result.trust * likelihoodOf(result, other));
+    if (auto map = clock.tryTo([&] {
+          return refinedAlternative(
+              chosen, chosen.begun_from[k], result.trust * likelihoodOf(result, other));
+        }))
+      other.correspondence = std::move(*map);
   }
 }
 
@@ -87,7 +104,7 @@ RegistrationResult finishMap(const ChosenMap& chosen,
     }
   });
   if (options.refine_alternatives)
-    clock.stage("alternatives", 0.0, [&] { refineAlternatives(chosen, result); });
+    clock.stage("alternatives", 0.0, [&] { refineAlternatives(chosen, clock, result); });
   return result;
 }
 

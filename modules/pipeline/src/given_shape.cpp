@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "given_shape.h"
 
+#include <posture/core/error.h>
 #include <posture/deformation/follow_matches.h>
+#include <posture/geodesic/fast_marching.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
 #include <posture/mesh/vertex_neighbors.h>
@@ -45,6 +47,15 @@ ShapeSummary withMeasured(ShapeSummary whole, const ShapeSummary& compared) {
   whole.parted_contacts = compared.parted_contacts;
   whole.added_vertices = compared.added_vertices;
   return whole;
+}
+
+Landmarks sampleSide(const std::string& side, const TriangleMesh& mesh, int most) {
+  Landmarks landmarks = computeLandmarks(mesh, FastMarching(mesh), most);
+  // The affine part of a spline alone takes four.
+  if (landmarks.vertices.size() < 5)
+    throw InputError(side + " has only " + std::to_string(landmarks.vertices.size()) +
+                     " places an edge's length from each other: too few to tell a shape");
+  return landmarks;
 }
 
 TriangleMesh withPieces(TriangleMesh surface, const TriangleMesh& pieces) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <posture/core/correspondence.h>
+#include <posture/geodesic/landmarks.h>
 #include <posture/mesh/clean_mesh.h>
 #include <posture/pipeline/register_shapes.h>
 
+#include <string>
 #include <vector>
 
 namespace posture {
@@ -37,6 +39,10 @@ ShapeSummary summarize(const GivenShape& shape);
 
 /// All of a surface, and what was measured on a part of it or with more to it.
 ShapeSummary withMeasured(ShapeSummary whole, const ShapeSummary& compared);
+
+/// Voronoi samples of a main surface with distances and confidences.
+/// \throws InputError  too few to tell a shape; names the side.
+Landmarks sampleSide(const std::string& side, const TriangleMesh& mesh, int most = 1000);
 
 /// A main surface and its pieces as one mesh, the vertices and faces of the surface first.
 TriangleMesh withPieces(TriangleMesh surface, const TriangleMesh& pieces);

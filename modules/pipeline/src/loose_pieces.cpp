@@ -224,7 +224,7 @@ class Placing {
   Points normals_;
   std::vector<char> rim_;
   double edge_;
-  TargetSurface surface_;
+  PieceTarget surface_;
   TargetPart whole_, free_;
   Main main_;
   std::map<int, std::optional<Eigen::Isometry3d>> motions_;  // by the vertex next to the piece
@@ -243,7 +243,7 @@ std::vector<char> coveredBy(const GivenShape& shape,
   std::vector<char> covered(places.rows(), 0);
   if (mapped.empty()) return covered;
   constexpr double UNIT = 1;  // distances as they are
-  const TargetSurface surface(
+  const PieceTarget surface(
       {result.deformed, shape.input.faces}, Points::Zero(result.deformed.rows(), 3), UNIT, UNIT);
   const TargetPart part(surface, mapped);
   for (Eigen::Index i = 0; i < places.rows(); ++i)
@@ -251,7 +251,7 @@ std::vector<char> coveredBy(const GivenShape& shape,
   return covered;
 }
 
-TargetSurface pieceTarget(const GivenShape& target) {
+PieceTarget pieceTarget(const GivenShape& target) {
   return {target.input,
           inputNormals(target),
           meanEdgeLength(target.clean.mesh),

@@ -11,7 +11,7 @@
 namespace posture {
 
 /// What pieces are laid on.
-TargetSurface pieceTarget(const GivenShape& target);
+PieceTarget pieceTarget(const GivenShape& target);
 
 /// Near which places a side's main surface lies where it was taken to, as far as it has
 /// counterparts.

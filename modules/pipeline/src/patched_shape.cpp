@@ -5,6 +5,7 @@
 #include <posture/mesh/bridge_pieces.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/hole_patches.h>
+#include <posture/mesh/position_of.h>
 
 #include "pose.h"
 #include "verdict.h"
@@ -62,13 +63,8 @@ class WithoutPatches {
   /// A place on a patch is moved to the vertex beside it.
   SurfacePoint place(const SurfacePoint& given) const {
     if (given.vertex < 0 || (given.vertex < vertices_ && given.face < faces_.rows())) return given;
-    SurfacePoint at;
-    at.vertex = vertex(given.vertex);
-    if (at.vertex < 0) return at;
-    at.face = face_of_[at.vertex];
-    for (int c = 0; c < 3 && at.face >= 0; ++c)
-      at.barycentric[c] = faces_(at.face, c) == at.vertex ? 1 : 0;
-    return at;
+    const int beside = vertex(given.vertex);
+    return beside < 0 ? SurfacePoint() : placeOfVertex(faces_, face_of_, beside);
   }
 
   void trimRows(Correspondence& correspondence) const {

@@ -3,6 +3,7 @@
 #include "published_result.h"
 
 #include <posture/mesh/edges.h>
+#include <posture/mesh/position_of.h>
 
 #include "verdict.h"
 
@@ -44,11 +45,7 @@ Correspondence correspondence(const Hypothesis& h,
   for (std::size_t v = 0; v < target_vertex.size(); ++v) {
     const int t = target_vertex[v];
     if (t < 0) continue;
-    SurfacePoint& point = result.on_target[v];
-    point.vertex = t;
-    point.face = face_of[t];
-    for (int k = 0; k < 3; ++k)
-      if (point.face >= 0 && target.given.input.faces(point.face, k) == t) point.barycentric[k] = 1;
+    result.on_target[v] = placeOfVertex(target.given.input.faces, face_of, t);
     result.confidence[v] = h.map.confidence[source.given.clean.clean_vertex[v]];
   }
   return result;

@@ -26,15 +26,6 @@ StagePicture sampleCloud(const std::string& side, const EmbeddedShape& shape) {
 
 }  // namespace
 
-Landmarks sampleSide(const std::string& side, const TriangleMesh& mesh) {
-  Landmarks landmarks = computeLandmarks(mesh, FastMarching(mesh));
-  // The affine part of the spline alone takes four.
-  if (landmarks.vertices.size() < 5)
-    throw InputError(side + " has only " + std::to_string(mesh.vertices.rows()) +
-                     " usable vertices: too few to tell a shape");
-  return landmarks;
-}
-
 double commonScale(const Landmarks& source, const Landmarks& target) {
   return meanDistance(target) / meanDistance(source);
 }

@@ -10,9 +10,6 @@
 
 namespace posture {
 
-/// Voronoi samples with distances and confidences. \throws InputError  too few to tell a shape.
-Landmarks sampleSide(const std::string& side, const TriangleMesh& mesh);
-
 /// What to multiply source lengths by so that both shapes are of one size: scans come in any unit.
 /// The ratio of the mean geodesic distances between samples, weighted by their confidence.
 double commonScale(const Landmarks& source, const Landmarks& target);

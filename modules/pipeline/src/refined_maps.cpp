@@ -185,8 +185,11 @@ void annealWithEndsRefitted(const RefinedShape& source,
                             BentPair& pair) {
   const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
   anneal(source_work, target_work, softness, pair);
+  const auto isApart = [](const std::vector<char>& apart, int v) {
+    return !apart.empty() && apart[v] != 0;
+  };
   for (int tip : source.tips())
-    if (pair.apart_a.empty() || !pair.apart_a[tip])
+    if (!isApart(pair.apart_a, tip) && !isApart(pair.apart_b, pair.maps.forward[tip]))
       refitLimbEnd(source_work, target_work, tip, softness, pair);
   anneal(source_work, target_work, softness, pair);
 }
@@ -250,9 +253,15 @@ void annealMap(const RefinedShape& source,
     map = withLimbsTurned(scaled, target, source_work, target_work, map);
   annealWithEndsRefitted(scaled, source_work, target_work, map.pair);
   const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
-  if (may_lack && letGo(source_work, target_work, softness, LEAST_OF_LETTING_GO, map.pair))
-    anneal(source_work, target_work, softness, map.pair);
   map.score = judged;
+  if (!may_lack) return;
+  try {
+    BentPair less = map.pair;
+    if (!letGo(source_work, target_work, softness, LEAST_OF_LETTING_GO, less)) return;
+    anneal(source_work, target_work, softness, less);
+    map.pair = std::move(less);
+  } catch (const std::runtime_error&) {  // too torn to be bent on: it stays as it is
+  }
 }
 
 }  // namespace posture

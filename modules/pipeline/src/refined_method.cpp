@@ -25,7 +25,7 @@ namespace {
 constexpr int POOL = 32;
 constexpr std::size_t MOST_ALTERNATIVES = 4;
 
-/// Its part of the time.
+/// What refining finalists takes of the time of a run.
 constexpr double REFINEMENT = 0.14;
 
 AlternativeSummary summarize(const Finalist& finalist) {
@@ -109,7 +109,7 @@ std::vector<AlternativeSummary> summarizeAnswers(const PosedSide& source,
   return summaries;
 }
 
-/// What it has before that: the first maps between the coarse surfaces.
+/// What is there once surfaces are bent onto each other: the first maps, between the coarse ones.
 struct FirstMaps {
   FirstMaps(const GivenShape& source, const GivenShape& target)
       : chosen(std::make_shared<ChosenMap>(source, target)) {}
@@ -134,8 +134,8 @@ FirstMaps firstMaps(const GivenShape& source_given,
 
   // Geodesic distances between samples, and their canonical forms (the paper's section 4.1).
   clock.stage("geodesic", 0.09, [&] {
-    addSamples(source.shape);
-    addSamples(target.shape);
+    addSamples("source", source.shape);
+    addSamples("target", target.shape);
   });
   clock.show([&] { return samplePictures(source.shape, target.shape); });
 

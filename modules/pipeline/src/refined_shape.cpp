@@ -7,6 +7,7 @@
 #include <posture/geodesic/landmarks.h>
 #include <posture/refine/tip_maps.h>
 
+#include "given_shape.h"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -94,9 +95,8 @@ void addSpectrum(RefinedShape& shape) {
                               std::min(FUNCTIONS, n / VERTICES_PER_FUNCTION));
 }
 
-void addSamples(RefinedShape& shape) {
-  const Landmarks landmarks =
-      computeLandmarks(shape.work.mesh, FastMarching(shape.work.mesh), SAMPLES);
+void addSamples(const std::string& side, RefinedShape& shape) {
+  const Landmarks landmarks = sampleSide(side, shape.work.mesh, SAMPLES);
   const CanonicalForm form = embedSamples(landmarks);
   shape.stress = form.stress;
   shape.sample_vertex = landmarks.vertices;

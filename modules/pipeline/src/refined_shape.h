@@ -48,7 +48,8 @@ RefinedShape fullSide(const std::string& side, const TriangleMesh& surface, bool
 void reduceSide(int others, RefinedShape& shape);
 
 void addSpectrum(RefinedShape& shape);
-void addSamples(RefinedShape& shape);
+/// \throws InputError  too few to tell a shape; names the side.
+void addSamples(const std::string& side, RefinedShape& shape);
 
 /// The shape with every length multiplied.
 RefinedShape rescaled(RefinedShape shape, double scale);

@@ -81,8 +81,10 @@ std::optional<Attempt> registerWhole(const GivenShape& source,
   if (as_given_first) goOnAsGiven();
   if (parted && !(as_given_first && isConvincing(as_given)))
     other = clock.tryTo([&] { return *parted->goOn(known, false); });
+  if (other && other->found.chosen < 0) other.reset();  // it has no map
   if (!as_given && !(isConvincing(other) && isDecisive(parted->score, whole.score))) goOnAsGiven();
-  if (as_given && (!other || other->found.score > as_given->found.score - SCORE_NOISE))
+  if (as_given && (!other || (as_given->found.chosen >= 0 &&
+                              other->found.score > as_given->found.score - SCORE_NOISE)))
     return as_given;
   Attempt cut = withChange(std::move(*other),
                            [of_source = summarize(source),

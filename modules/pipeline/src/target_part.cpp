@@ -22,7 +22,6 @@ TriangleMesh between(TriangleMesh mesh, const std::vector<int>& first) {
 
 }  // namespace
 
-/// Rows far from each other, from the given one on.
 std::vector<int> farthestPoints(const Points& points, int first, int count) {
   std::vector<int> chosen{first};
   Vector distance = (points.rowwise() - points.row(first)).rowwise().norm();
@@ -40,10 +39,10 @@ double fitAt(double distance) {
   return 1 / (1 + miss * miss);
 }
 
-TargetSurface::TargetSurface(TriangleMesh surface,
-                             Points vertex_normals,
-                             double mean_edge,
-                             double body_size)
+PieceTarget::PieceTarget(TriangleMesh surface,
+                         Points vertex_normals,
+                         double mean_edge,
+                         double body_size)
     : first(weld(surface.vertices)),
       mesh(between(std::move(surface), first)),
       normals(std::move(vertex_normals)),
@@ -52,7 +51,7 @@ TargetSurface::TargetSurface(TriangleMesh surface,
       edge(mean_edge),
       size(body_size) {}
 
-TargetPart::TargetPart(const TargetSurface& surface, std::vector<int> vertices)
+TargetPart::TargetPart(const PieceTarget& surface, std::vector<int> vertices)
     : surface_(surface), vertex_(std::move(vertices)), counts_(surface.mesh.vertices.rows(), 0) {
   const auto is_copy = [&](int v) { return surface.first[v] != v; };
   vertex_.erase(std::remove_if(vertex_.begin(), vertex_.end(), is_copy), vertex_.end());

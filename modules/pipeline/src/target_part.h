@@ -29,10 +29,10 @@ struct Piece {
 };
 
 /// A surface to lay pieces on. Lengths on it are in mean edges unless said otherwise.
-struct TargetSurface {
+struct PieceTarget {
   /// \param vertex_normals  n x 3; 0 where there is none.
   /// \param mean_edge, body_size  its mean edge length and the square root of its area.
-  TargetSurface(TriangleMesh surface, Points vertex_normals, double mean_edge, double body_size);
+  PieceTarget(TriangleMesh surface, Points vertex_normals, double mean_edge, double body_size);
 
   std::vector<int> first;  ///< vertex -> the first one at its place
   TriangleMesh mesh;       ///< faces as given, between these
@@ -47,7 +47,7 @@ class TargetPart {
  public:
   /// \param surface  kept by reference.
   /// \param vertices  those that count; of several at one place the first alone.
-  TargetPart(const TargetSurface& surface, std::vector<int> vertices);
+  TargetPart(const PieceTarget& surface, std::vector<int> vertices);
 
   bool empty() const { return vertex_.empty(); }
   double edge() const { return surface_.edge; }
@@ -74,10 +74,10 @@ class TargetPart {
   /// those that have a normal and lie within a distance of it, in the unit of the mesh.
   std::vector<int> spread(const Eigen::RowVector3d& around, double distance, int count) const;
 
-  const TargetSurface& surface() const { return surface_; }
+  const PieceTarget& surface() const { return surface_; }
 
  private:
-  const TargetSurface& surface_;
+  const PieceTarget& surface_;
   std::vector<int> vertex_;
   std::vector<char> counts_;  // each vertex of the surface
   std::optional<PointIndex> index_;

@@ -72,7 +72,7 @@ OnPieces onPieces(const GivenShape& source,
   const TriangleMesh& mesh = source.clean.mesh;
   const Points points = mesh.vertices(open, Eigen::all),
                normals = vertexNormals(mesh)(open, Eigen::all);
-  const TargetSurface surface = pieceTarget(target);
+  const PieceTarget surface = pieceTarget(target);
   const std::vector<char> on_rim = inputRim(target);
   struct Place {
     TargetPart::Near near;

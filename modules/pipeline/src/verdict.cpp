@@ -40,8 +40,12 @@ int rivalOf(const RegistrationResult& result) {
 }
 
 /// How likely it is that the better of two answers is the right one: even at a margin of 0.35, as
-/// scores of one answer differ by that much between starts.
-double decisionOf(double margin) { return 1 - std::exp(-2 * std::max(0.0, margin)); }
+/// scores of one answer differ by that much between starts. Never 0: confidences are multiples of
+/// the trust, and would be lost.
+double decisionOf(double margin) {
+  constexpr double LEAST = 1e-6;
+  return 1 - std::exp(-2 * std::max(LEAST, margin));
+}
 
 /// With one decimal: a figure just below the limit must not read like it.
 std::string percent(double share) {

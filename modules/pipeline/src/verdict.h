@@ -16,8 +16,8 @@ std::string mappedMessage(const RegistrationResult& result);
 /// distances on them agree under it.
 void givePublishedVerdict(RegistrationResult& result);
 
-/// By how much the chosen answer scores better than another one: refined where both scores of that
-/// are known, else how much better the best of all scored before refinement.
+/// By how much the chosen answer scores better than another one: by the refined scores where both
+/// have one, else by how much the best of all scores better than the other before refinement.
 double marginBefore(const RegistrationResult& result, const AlternativeSummary& other);
 
 /// How likely another answer is beside the chosen one, by that margin; at most 1.

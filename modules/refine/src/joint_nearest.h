@@ -15,8 +15,8 @@ void nearestBothWays(const Eigen::Ref<const Eigen::MatrixXf>& a,
                      std::vector<int>& forward,
                      std::vector<int>& backward);
 
-/// Keeps the leading principal directions of the rows of both: distances between rows of different
-/// matrices hardly change, and cost less.
+/// Keeps the leading principal directions of the rows of `a`, on both: distances between rows of
+/// different matrices hardly change, and cost less.
 void reduceDimensions(Eigen::MatrixXf& a, Eigen::MatrixXf& b, int dimensions);
 
 }  // namespace posture

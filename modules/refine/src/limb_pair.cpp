@@ -116,6 +116,14 @@ Lie lieOf(const Limb& limb, const Points& bent) {
   return {places, vertexNormals({places, limb.surface->mesh.faces})};
 }
 
+/// Of each vertex of the whole surface, those of the limb.
+std::vector<char> ofLimb(const Limb& limb, const std::vector<char>& apart) {
+  std::vector<char> of_limb;
+  if (apart.empty()) return of_limb;
+  for (int v : limb.vertex) of_limb.push_back(apart[v]);
+  return of_limb;
+}
+
 double misfitOfAll(const BendableSurface& a,
                    const BendableSurface& b,
                    double softness,
@@ -157,7 +165,7 @@ double oneWayMisfit(const BendableSurface& a,
                     double softness,
                     const BentPair& pair) {
   const std::vector<int>& matches = pair.maps.forward;
-  const Vector weight = a.laplacian.mass.cwiseProduct(belief(a, b, matches));
+  const Vector weight = a.laplacian.mass.cwiseProduct(belief(a, b, matches, pair.apart_a));
   const double sum = weight(part.vertex).sum();
   if (!(sum > 0)) return std::numeric_limits<double>::infinity();
   const Points normals_a = vertexNormals({pair.bent_a, a.mesh.faces}),
@@ -186,14 +194,19 @@ LimbPair::LimbPair(const SpectralSurface& a,
   if (!is_limb_) return;
   lie_a_ = lieOf(a_, pair.bent_a);
   lie_b_ = lieOf(b_, pair.bent_b);
+  apart_a_ = ofLimb(a_, pair.apart_a);
+  apart_b_ = ofLimb(b_, pair.apart_b);
   is_limb_ = spineOf(a_, lie_a_).isWhole() && spineOf(b_, lie_b_).isWhole();
 }
 
 BentPair LimbPair::laid(const LimbTurn& turn) const {
   const Lie a = turned(a_, lie_a_, turn, 1), b = turned(b_, lie_b_, turn, -1);
   const double normal_sq = FIRST_NORMAL_WEIGHT / softness_;
-  return {
-      {nearest(a, *b_.surface, normal_sq), nearest(b, *a_.surface, normal_sq)}, a.places, b.places};
+  return {{nearest(a, *b_.surface, normal_sq), nearest(b, *a_.surface, normal_sq)},
+          a.places,
+          b.places,
+          apart_a_,
+          apart_b_};
 }
 
 BentPair LimbPair::settled(const LimbTurn& turn) const {

@@ -69,6 +69,7 @@ class LimbPair {
   bool is_limb_;
   double softness_;
   Lie lie_a_, lie_b_;
+  std::vector<char> apart_a_, apart_b_;
 };
 
 /// A turn that was tried, by what is left of the misfit without it.

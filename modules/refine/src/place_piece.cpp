@@ -140,7 +140,7 @@ class Placer {
 
   double worst(double scale) const { return WORST * scale * mean_; }
 
-  /// By how much sample i misses its distances to the anchors, at its best.
+  /// By how much sample i, at that place, misses its distances to the anchors: the most.
   double missed(double scale, const Anchors& q, int anchors, int i, int at) const {
     double most = 0;
     for (int k = 0; k < anchors; ++k) most = std::max(most, off(scale, i, k, at, q[k]));

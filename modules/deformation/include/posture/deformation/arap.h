@@ -44,6 +44,8 @@ class Arap {
   /// \param bent  n x 3: how the surface lies so far; it then yields more easily where it is
   ///        strained already, as bodies do at their joints, and stays stiffer elsewhere. Empty:
   ///        equally stiff everywhere.
+  /// \throws std::invalid_argument  numbers of vertices differ.
+  /// \throws std::runtime_error  the system cannot be solved: the surface is torn to shreds.
   Attraction attract(double softness, const Vector& confidence = {}, const Points& bent = {}) const;
 
   /// Alternates rotations and places from `start`: n x 3.

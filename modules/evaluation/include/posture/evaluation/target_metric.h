@@ -34,7 +34,6 @@ class TargetMetric {
   int vertexCount() const { return static_cast<int>(target_.vertices.rows()); }
   int faceCount() const { return static_cast<int>(target_.faces.rows()); }
   double rootArea() const { return root_area_; }  ///< square root of the main surface's area
-  double meanEdgeLength() const { return mean_edge_length_; }
 
   /// Geodesic lengths; inside a face, interpolated between its corners. One front for all routes
   /// from the same vertex, stopped as soon as the last of their ends is reached.
@@ -59,7 +58,6 @@ class TargetMetric {
   std::vector<int> neighbor_begin_;  // n + 1: where each clean vertex's neighbours begin
   std::vector<int> neighbors_;
   double root_area_ = 0;
-  double mean_edge_length_ = 0;
 };
 
 }  // namespace posture

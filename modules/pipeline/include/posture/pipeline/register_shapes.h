@@ -71,7 +71,7 @@ struct AlternativeSummary {
   std::optional<double> refined_score;
   double gap = 0;                  ///< mean distance from the chosen answer, over sqrt(area)
   std::vector<int> target_vertex;  ///< per source vertex as given, to the spacing of the coarse
-                                   ///< meshes; -1: in a hole of the target
+                                   ///< meshes; also where the target has a hole; -1: on a patch
   Correspondence correspondence;   ///< at full precision; empty unless alternatives are refined
 };
 

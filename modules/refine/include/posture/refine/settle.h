@@ -59,7 +59,7 @@ BentPair carryUp(const TriangleMesh& a,
                  const BendableSurface& work_b,
                  const BentPair& pair);
 
-/// A place in a face: f x 3 corners in the order of the mesh's faces.
+/// A place in a face, by its corners in the order the mesh names them.
 struct FacePoint {
   int face = -1;
   Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();  ///< >= 0, sum 1
