@@ -55,6 +55,7 @@ int countOf(const std::vector<Json>& results, const std::string& status) {
 void benchmark(const BenchmarkOptions& options, const Common& common) {
   const std::vector<BenchmarkPair> pairs = readPairList(options.list);
   options.selection.check(pairs);
+  for (const BenchmarkPair& pair : pairs) checkText(pair);
   makeFolder(options.folder / "pairs");
   checkWritable(options.folder / "RESULTS.md");  // now, not after hours
 
@@ -67,7 +68,7 @@ void benchmark(const BenchmarkOptions& options, const Common& common) {
     Json result = storedResult(run);
     if (options.selection.has(pair)) {
       progress.begin(pair.id);
-      if (options.fresh || result.is_null()) {
+      if (options.fresh || result.is_null() || hasFailed(result)) {
         result = runInChild(run, [&] { progress.wait(); });
         progress.end(result);
       }
@@ -76,7 +77,7 @@ void benchmark(const BenchmarkOptions& options, const Common& common) {
   }
   const Json summary = writeBenchmarkReport(results, pairs.size(), options.folder);
   if (common.json)
-    std::cout << summary.dump(1) << '\n';
+    std::cout << documentText(summary);
   else if (!common.quiet)
     std::printf("%zu %s: %d registered, %d undecided, %d not run, %d failed; see %s\n",
                 results.size(),
@@ -100,7 +101,7 @@ void benchmarkPair(const ChildOptions& options) {
   for (const BenchmarkPair& pair : readPairList(options.list))
     if (pair.id == options.id) {
       const Json result = runPair(pair, options.paper ? Method::PAPER : Method::REFINED);
-      return writeText(options.result, result.dump(1) + "\n");
+      return writeText(options.result, documentText(result));
     }
   throw InputError(options.list.string() + ": has no pair '" + options.id + "'");
 }
@@ -115,7 +116,7 @@ void addBenchmark(CLI::App& app, Common& common) {
   verb->add_option("-o,--output", options->folder, "Folder for the results")->required();
   addSelection(*verb, options->selection);
   verb->add_flag("--paper", options->paper, "Register as published, as `register --paper` does");
-  verb->add_flag("--fresh", options->fresh, "Run again what already has a result");
+  verb->add_flag("--fresh", options->fresh, "Run again also what has a result");
   verb->add_option("--time-limit", options->time_limit, "Seconds after which a pair has failed")
       ->check(inRange(0.001, 1e6))
       ->capture_default_str();

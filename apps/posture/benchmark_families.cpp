@@ -45,8 +45,7 @@ Json stageMedians(const std::vector<Json>& results) {
   return medians;
 }
 
-}  // namespace
-
+/// `results` are all of one family.
 Json summarizeFamily(const std::string& family, const std::vector<Json>& results) {
   const auto median = [&](const char* pointer) {
     return percentile(figures(results, pointer), 0.5);
@@ -84,6 +83,8 @@ Json summarizeFamily(const std::string& family, const std::vector<Json>& results
           {"curve", meanCurve(results)},
           {"edge_histogram", meanHistogram(results)}};
 }
+
+}  // namespace
 
 Json summarizeFamilies(const std::vector<Json>& results) {
   std::vector<std::string> order;

@@ -11,8 +11,6 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-std::string text(const Json& json, const char* key) { return json.value(key, ""); }
-
 /// "3 of 9", or "-" where nothing was counted.
 std::string countOf(const Json& json, const char* count, const char* of) {
   const int whole = json.value(of, 0);
@@ -29,7 +27,7 @@ std::string familyTable(const Json& families) {
   std::vector<Cells> rows;
   rows.reserve(families.size());
   for (const Json& f : families)
-    rows.push_back({text(f, "family"),
+    rows.push_back({textAt(f, "family"),
                     std::to_string(f.value("pairs", 0)),
                     std::to_string(f.value("failed", 0)),
                     formatFixed(numberAt(f, "/mean_mean_x100"), 2),
@@ -107,8 +105,14 @@ const std::vector<PaperRow>& paperRows() {
   return ROWS;
 }
 
+bool isOfThePaper(const Json& family) {
+  return std::any_of(paperRows().begin(), paperRows().end(), [&](const PaperRow& row) {
+    return *row.family != '\0' && row.family == textAt(family, "family");
+  });
+}
+
 Cells ourRow(const Json& f) {
-  return {text(f, "family"),
+  return {textAt(f, "family"),
           "ours",
           formatFixed(numberAt(f, "/source_vertices"), 0),
           formatFixed(numberAt(f, "/samples"), 0),
@@ -125,7 +129,7 @@ std::string paperTable(const Json& families) {
     rows.push_back(paper.cells);
     rows.back().insert(rows.back().begin() + 1, "paper");
     for (const Json& f : families)
-      if (f.value("family", "") == paper.family && f.value("run", 0) > 0) {
+      if (*paper.family != '\0' && textAt(f, "family") == paper.family && f.value("run", 0) > 0) {
         rows.push_back(ourRow(f));
         shown.insert(paper.family);
       }
@@ -153,8 +157,8 @@ std::string pairTable(const std::vector<Json>& results) {
   std::vector<Cells> rows;
   rows.reserve(results.size());
   for (const Json& r : results)
-    rows.push_back({text(r, "id"),
-                    text(r, "status"),
+    rows.push_back({textAt(r, "id"),
+                    textAt(r, "status"),
                     formatFixed(numberAt(r, "/source_vertices"), 0),
                     formatFixed(numberAt(r, "/target_vertices"), 0),
                     formatFixed(numberAt(r, "/errors/mean_x100"), 2),
@@ -170,7 +174,7 @@ std::string pairTable(const std::vector<Json>& results) {
                     percent(numberAt(r, "/errors/share_within_two_edges")),
                     formatFixed(numberAt(r, "/seconds"), 1),
                     formatFixed(numberAt(r, "/peak_memory_mib"), 0),
-                    text(r, "message")});
+                    textAt(r, "message")});
   return toMarkdown({{"pair",
                       "status",
                       "source",
@@ -202,7 +206,7 @@ std::string fitTable(const std::vector<Json>& results) {
   std::vector<Cells> rows;
   for (const Json& r : results)
     if (r.contains("fit") && !r.contains("errors"))
-      rows.push_back({text(r, "id"),
+      rows.push_back({textAt(r, "id"),
                       percent(numberAt(r, "/accepted") / numberAt(r, "/source_vertices")),
                       formatFixed(numberAt(r, "/fit/median_distance"), 2),
                       formatFixed(numberAt(r, "/fit/percentile_95_distance"), 2),
@@ -231,7 +235,7 @@ std::string stageTable(const Json& families) {
   std::vector<Cells> rows;
   for (const Json& f : families) {
     if (f.value("run", 0) == 0) continue;
-    Cells row{text(f, "family")};
+    Cells row{textAt(f, "family")};
     for (const std::string& stage : stages)
       row.push_back(formatFixed(numberAt(f, "/stages/" + stage), 2));
     rows.push_back(row);
@@ -263,7 +267,8 @@ std::string benchmarkPage(const std::vector<Json>& results,
       "\n![Share of points with error below x](curves.svg)\n\n"
       "![Share of accepted points by error in edges](histogram.svg)\n";
   page += trustSection(trust);
-  page += "\n## The paper's own figures\n\n" + paperTable(families);
+  if (std::any_of(families.begin(), families.end(), isOfThePaper))
+    page += "\n## The paper's own figures\n\n" + paperTable(families);
   page += "\n## Pairs\n\n" + pairTable(results);
   return page + fitTable(results) + stageTable(families);
 }

@@ -71,7 +71,7 @@ Json writeBenchmarkReport(const std::vector<Json>& results,
       {"pairs", results}};
   writeText(folder / "results.csv",
             toCsv(tableOf(results, {std::begin(COLUMNS), std::end(COLUMNS)})));
-  writeText(folder / "results.json", summary.dump(1) + "\n");
+  writeText(folder / "results.json", documentText(summary));
   writeText(folder / "RESULTS.md", benchmarkPage(results, families, trust, listed));
   writeText(folder / "curves.svg", curvePlot(seriesOf(families, "curve")));
   writeText(folder / "histogram.svg", histogramPlot(seriesOf(families, "edge_histogram")));

@@ -9,11 +9,9 @@
 
 namespace posture::app {
 
-/// What the results of one family come to: medians over its pairs, counts, largest values.
-/// `results` are what runPair() and failedRun() made, all of one family.
-Json summarizeFamily(const std::string& family, const std::vector<Json>& results);
-
-/// Families in the order of their first pair.
+/// What the results of each family come to: medians over its pairs, counts, largest values.
+/// Families are in the order of their first pair. `results` are what runPair() and failedRun()
+/// made.
 Json summarizeFamilies(const std::vector<Json>& results);
 
 /// RESULTS.md: the tables a person reads.

@@ -18,6 +18,8 @@ Json storedResult(const ChildRun& run) {
   return json;
 }
 
+bool hasFailed(const Json& result) { return textAt(result, "status") == "failed"; }
+
 Json runInChild(const ChildRun& run, const std::function<void()>& waiting) {
   std::filesystem::remove(run.result_file);
   const ChildEnd end =
@@ -26,7 +28,7 @@ Json runInChild(const ChildRun& run, const std::function<void()>& waiting) {
   if (result.is_null()) {
     result = failedRun(
         run.described, "failed", end.succeeded ? "left no result of these files" : end.reason);
-    writeText(run.result_file, result.dump(1) + "\n");
+    writeText(run.result_file, documentText(result));
   }
   return result;
 }

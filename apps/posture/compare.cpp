@@ -60,6 +60,7 @@ std::vector<BenchmarkPair> pairsOf(const CompareOptions& options) {
       throw CLI::ValidationError("--truth and --mirror", "are for SOURCE and TARGET");
     const std::vector<BenchmarkPair> pairs = listOf(options);
     options.selection.check(pairs);
+    for (const BenchmarkPair& pair : pairs) checkText(pair);
     return pairs;
   }
   if (!options.selection.empty())
@@ -70,6 +71,7 @@ std::vector<BenchmarkPair> pairsOf(const CompareOptions& options) {
   pair.target = options.target;
   pair.truth = options.truth;
   pair.mirror_truth = options.mirror_truth;
+  checkText(pair);
   readPair(pair);
   return {pair};
 }
@@ -115,7 +117,7 @@ void compare(const CompareOptions& options, const Common& common) {
     Json result = storedResult(child);
     if (isAsked(run, options)) {
       progress.begin(run.pair.id + " " + run.variation + " " + run.method);
-      if (options.fresh || result.is_null()) {
+      if (options.fresh || result.is_null() || hasFailed(result)) {
         result = runInChild(child, [&] { progress.wait(); });
         progress.end(result);
       }
@@ -125,7 +127,7 @@ void compare(const CompareOptions& options, const Common& common) {
   const Comparison comparison = summarizeRuns(results);
   const Json summary = writeComparison(results, comparison, options.folder);
   if (common.json)
-    std::cout << summary.dump(1) << '\n';
+    std::cout << documentText(summary);
   else if (!common.quiet)
     print(comparison, options.folder);
 }
@@ -139,7 +141,7 @@ struct ChildOptions {
 void compareRun(const ChildOptions& options) {
   endWithParent(options.parent);
   const ComparedRun run = comparedRun(Json::parse(options.request));
-  writeText(options.result, runCompared(run).dump(1) + "\n");
+  writeText(options.result, documentText(runCompared(run)));
 }
 
 }  // namespace
@@ -159,13 +161,17 @@ void addCompare(CLI::App& app, Common& common) {
   verb->add_option("-o,--output", options->folder, "Folder for the results")->required();
   addSelection(*verb, options->selection);
   verb->add_option("--method", options->methods, "Only this method (repeatable)")
-      ->check(CLI::IsMember(methodKeys()));
+      ->check(CLI::IsMember(methodKeys()))
+      ->expected(1)
+      ->take_all();
   verb->add_option("--variation",
                    options->variations,
                    "Only the source aligned: as given; turned; or scaled: turned, a thousand times "
                    "as large and shuffled (repeatable)")
-      ->check(CLI::IsMember(variations()));
-  verb->add_flag("--fresh", options->fresh, "Run again what already has a result");
+      ->check(CLI::IsMember(variations()))
+      ->expected(1)
+      ->take_all();
+  verb->add_flag("--fresh", options->fresh, "Run again also what has a result");
   verb->add_option("--time-limit", options->time_limit, "Seconds after which a run has failed")
       ->check(inRange(0.001, 1e6))
       ->capture_default_str();

@@ -102,7 +102,7 @@ Json writeComparison(const std::vector<Json>& runs,
   Json summary{{"version", POSTURE_VERSION}, {"verdicts", comparison.verdicts}, {"runs", runs}};
   writeText(folder / "comparison.csv",
             toCsv(tableOf(runs, {std::begin(COLUMNS), std::end(COLUMNS)})));
-  writeText(folder / "comparison.json", summary.dump(1) + "\n");
+  writeText(folder / "comparison.json", documentText(summary));
   writeText(folder / "comparison.md", page(comparison, curved));
   return summary;
 }

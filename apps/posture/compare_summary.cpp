@@ -19,8 +19,6 @@ using Runs = std::vector<Json>;
 
 constexpr std::size_t LONGEST_LIST = 10;  // of pairs in a sentence; comparison.csv has all
 
-std::string text(const Json& json, const char* key) { return json.value(key, ""); }
-
 bool isKnown(double figure) { return std::isfinite(figure); }
 
 double errorOf(const Json& run) { return numberAt(run, "/errors/mean_x100"); }
@@ -28,7 +26,7 @@ double errorOf(const Json& run) { return numberAt(run, "/errors/mean_x100"); }
 /// The figure that methods are ranked by. A run that failed on a pair with a truth missed all of
 /// it.
 double errorWithMisses(const Json& run) {
-  if (text(run, "status") == "failed" && !text(run, "truth").empty())
+  if (textAt(run, "status") == "failed" && !textAt(run, "truth").empty())
     return 100 * curvePlaces().back();
   return numberAt(run, "/errors/mean_with_misses_x100");
 }
@@ -48,32 +46,32 @@ Runs select(const Runs& runs, const std::function<bool(const Json&)>& has) {
 }
 
 Runs where(const Runs& runs, const char* key, const std::string& value) {
-  return select(runs, [&](const Json& run) { return text(run, key) == value; });
+  return select(runs, [&](const Json& run) { return textAt(run, key) == value; });
 }
 
 /// The different values, in the order of the runs.
 std::vector<std::string> valuesOf(const Runs& runs, const char* key) {
   std::vector<std::string> values;
   for (const Json& run : runs)
-    if (std::find(values.begin(), values.end(), text(run, key)) == values.end())
-      values.push_back(text(run, key));
+    if (std::find(values.begin(), values.end(), textAt(run, key)) == values.end())
+      values.push_back(textAt(run, key));
   return values;
 }
 
 int countOf(const Runs& runs, const std::vector<std::string>& statuses) {
   return static_cast<int>(std::count_if(runs.begin(), runs.end(), [&](const Json& run) {
-    return std::find(statuses.begin(), statuses.end(), text(run, "status")) != statuses.end();
+    return std::find(statuses.begin(), statuses.end(), textAt(run, "status")) != statuses.end();
   }));
 }
 
 /// The largest change of a pair's error against that of the aligned source.
 std::string changeCell(const Runs& of_method, const Runs& runs) {
-  if (text(runs.front(), "variation") == "aligned") return "-";
+  if (textAt(runs.front(), "variation") == "aligned") return "-";
   double largest_change = std::nan("");
   for (const Json& run : runs)
     for (const Json& aligned : where(of_method, "variation", "aligned")) {
       const double before = errorOf(aligned), after = errorOf(run);
-      if (text(aligned, "id") != text(run, "id") || !isKnown(before)) continue;
+      if (textAt(aligned, "id") != textAt(run, "id") || !isKnown(before)) continue;
       if (!isKnown(after)) return "failed";
       const double change = after == before ? 0 : std::abs(after / before - 1);
       if (!(largest_change >= change)) largest_change = change;
@@ -97,9 +95,7 @@ double averageOf(const Runs& runs, const std::function<double(const Json&)>& fig
 
 std::string shareBelow(const Json& run, double place) {
   if (!run.contains("errors")) return "-";
-  const std::vector<double> places = curvePlaces();
-  const auto found = std::lower_bound(places.begin(), places.end(), place - 1e-9);
-  return percent(run["errors"]["curve"][found - places.begin()].get<double>());
+  return percent(curveAt(run["errors"], place));
 }
 
 std::string side(const Json& run) {
@@ -119,7 +115,7 @@ void forEachRow(const Runs& runs, const std::function<void(const Runs&, const Ru
 }
 
 Cells rowHead(const Runs& chosen) {
-  return {text(chosen.front(), "variation"), nameOfMethod(text(chosen.front(), "method"))};
+  return {textAt(chosen.front(), "variation"), nameOfMethod(textAt(chosen.front(), "method"))};
 }
 
 TextTable pairTable(const Runs& runs) {
@@ -142,7 +138,7 @@ TextTable pairTable(const Runs& runs) {
     const Json& run = chosen.front();
     Cells row = rowHead(chosen);
     row.insert(row.end(),
-               {text(run, "status"),
+               {textAt(run, "status"),
                 shown(errorOf(run)),
                 percent(shareMapped(run)),
                 shown(errorWithMisses(run)),
@@ -172,7 +168,7 @@ TextTable listTable(const Runs& runs) {
     Cells row = rowHead(chosen);
     for (const std::string& family : families)
       row.push_back(shown(mean(figures(where(chosen, "family", family), "/errors/mean_x100"))));
-    const bool can_converge = text(chosen.front(), "method") != "as-given";
+    const bool can_converge = textAt(chosen.front(), "method") != "as-given";
     row.insert(row.end(),
                {shown(mean(figures(chosen, "/errors/mean_x100"))),
                 percent(averageOf(chosen, shareMapped)),
@@ -226,7 +222,7 @@ std::vector<Place> places(const Runs& of_pair,
   for (const Json& run : known) {
     if (order.empty() || order.back().figure != show(figure(run)))
       order.push_back({show(figure(run)), {}});
-    order.back().methods.push_back(nameOfMethod(text(run, "method")));
+    order.back().methods.push_back(nameOfMethod(textAt(run, "method")));
   }
   return order;
 }
@@ -252,7 +248,7 @@ std::string methodsAre(const Cells& names) {
 /// "posture failed"; empty: it has an answer, or was not run.
 std::string lackOfOurs(const Runs& of_pair) {
   for (const Json& run : where(of_pair, "method", "posture"))
-    if (!run.contains("errors")) return "posture " + text(run, "status");
+    if (!run.contains("errors")) return "posture " + textAt(run, "status");
   return "";
 }
 

@@ -40,20 +40,10 @@ Json toJson(const MirrorComparison& comparison) {
           {"wrong_side", comparison.wrong_side}};
 }
 
-double numberAt(const Json& document, const std::string& pointer) {
-  const Json::json_pointer place(pointer);
-  if (!document.contains(place) || !document.at(place).is_number())
-    return std::numeric_limits<double>::quiet_NaN();
-  return document.at(place).get<double>();
-}
-
-std::vector<double> figures(const std::vector<Json>& documents, const std::string& pointer) {
-  std::vector<double> found;
-  for (const Json& document : documents) {
-    const double figure = numberAt(document, pointer);
-    if (std::isfinite(figure)) found.push_back(figure);
-  }
-  return found;
+double curveAt(const Json& errors, double place) {
+  const std::vector<double> places = curvePlaces();
+  const auto found = std::lower_bound(places.begin(), places.end(), place - 1e-9);
+  return errors["curve"][found - places.begin()];
 }
 
 double largest(const std::vector<double>& values) {

@@ -4,25 +4,20 @@
 
 #include <posture/evaluation/map_error.h>
 
-#include <nlohmann/json.hpp>
-
+#include "json_document.h"
 #include <string>
 #include <vector>
 
 namespace posture::app {
-
-using Json = nlohmann::ordered_json;
 
 /// The figures of a map's errors; errors times 100, as they are reported. What is not known (no
 /// pair was mapped) is null.
 Json toJson(const MapErrors& errors);
 Json toJson(const MirrorComparison& comparison);
 
-/// A number in a document, by JSON pointer; NaN where it is missing or null.
-double numberAt(const Json& document, const std::string& pointer);
-
-/// The numbers at `pointer` of those documents that have one.
-std::vector<double> figures(const std::vector<Json>& documents, const std::string& pointer);
+/// The share of points with at most that error, one of curvePlaces(). \pre  `errors` is such a
+/// document.
+double curveAt(const Json& errors, double place);
 
 /// NaN where there are none.
 double largest(const std::vector<double>& values);

@@ -69,13 +69,6 @@ Json measure(const EvaluateOptions& options) {
   return json;
 }
 
-/// The curve's value at one of its places.
-double curveAt(const Json& json, double place) {
-  const std::vector<double> places = curvePlaces();
-  const auto found = std::lower_bound(places.begin(), places.end(), place - 1e-9);
-  return json["curve"][found - places.begin()];
-}
-
 void printFigures(const Json& json) {
   const auto count = [&](const char* key) { return json[key].get<int>(); };
   std::printf("mean error x100        %s\n", formatFixed(numberAt(json, "/mean_x100"), 3).c_str());
@@ -113,8 +106,7 @@ void printFigures(const Json& json) {
 }
 
 void writeFigures(const fs::path& folder, const Json& json) {
-  makeFolder(folder);
-  writeText(folder / "evaluation.json", json.dump(1) + "\n");
+  writeText(folder / "evaluation.json", documentText(json));
   const auto curve = json["curve"].get<std::vector<double>>();
   const std::vector<double> places = curvePlaces();
   std::vector<std::vector<std::string>> rows;
@@ -129,10 +121,14 @@ void writeFigures(const fs::path& folder, const Json& json) {
 }
 
 void evaluate(const EvaluateOptions& options, const Common& common) {
+  if (!options.folder.empty()) {
+    makeFolder(options.folder);
+    checkWritable(options.folder / "evaluation.json");
+  }
   const Json json = measure(options);
   if (!options.folder.empty()) writeFigures(options.folder, json);
   if (common.json)
-    std::cout << json.dump(1) << '\n';
+    std::cout << documentText(json);
   else if (!common.quiet)
     printFigures(json);
 }

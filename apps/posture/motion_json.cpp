@@ -6,10 +6,10 @@
 
 namespace posture::app {
 
-nlohmann::ordered_json toJson(const Eigen::Isometry3d& motion) {
+Json toJson(const Eigen::Isometry3d& motion) {
   const Eigen::Matrix3d turn = motion.rotation();
   const Eigen::Quaterniond q(turn);
-  auto rows = nlohmann::ordered_json::array();
+  auto rows = Json::array();
   for (int i = 0; i < 3; ++i) rows.push_back({turn(i, 0), turn(i, 1), turn(i, 2)});
   const Eigen::Vector3d move = motion.translation();
   return {{"rotation", std::move(rows)},

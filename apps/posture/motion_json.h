@@ -3,11 +3,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <nlohmann/json.hpp>
+
+#include "json_document.h"
 
 namespace posture::app {
 
 /// A rigid motion: `rotation`, rows of a matrix, the same as `quaternion_wxyz`, `translation`.
-nlohmann::ordered_json toJson(const Eigen::Isometry3d& motion);
+Json toJson(const Eigen::Isometry3d& motion);
 
 }  // namespace posture::app

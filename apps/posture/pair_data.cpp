@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pair_data.h"
 
+#include <posture/core/error.h>
 #include <posture/evaluation/truth.h>
 #include <posture/io/shape_io.h>
 
@@ -55,6 +56,14 @@ Json describePair(const BenchmarkPair& pair, const std::string& method) {
             {"mirror_truth", stampOf(pair.mirror_truth)},
             {"target_surface", stampOf(pair.target_surface)},
             {"target_surface_vertices", stampOf(pair.target_surface_vertices)}}}};
+}
+
+void checkText(const BenchmarkPair& pair) {
+  try {
+    describePair(pair, "").dump();
+  } catch (const Json::type_error&) {
+    throw InputError("pair " + pair.id + ": the names of its files and its texts have to be UTF-8");
+  }
 }
 
 std::vector<SurfacePoint> atVertices(std::vector<SurfacePoint> places) {

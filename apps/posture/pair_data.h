@@ -28,6 +28,9 @@ PairData readPair(const BenchmarkPair& pair);
 /// now: a result of others is not this pair's.
 Json describePair(const BenchmarkPair& pair, const std::string& method);
 
+/// \throws InputError  its files' names or its texts are no UTF-8, in which results are written.
+void checkText(const BenchmarkPair& pair);
+
 /// The places of a map at vertices, as the field measures it.
 std::vector<SurfacePoint> atVertices(std::vector<SurfacePoint> places);
 

@@ -35,8 +35,12 @@ void PairSelection::check(const std::vector<BenchmarkPair>& pairs) const {
 }
 
 void addSelection(CLI::App& verb, PairSelection& selection) {
-  verb.add_option("--family", selection.families, "Only pairs of this family (repeatable)");
-  verb.add_option("--pair", selection.ids, "Only the pair of this id (repeatable)");
+  verb.add_option("--family", selection.families, "Only pairs of this family (repeatable)")
+      ->expected(1)
+      ->take_all();
+  verb.add_option("--pair", selection.ids, "Only the pair of this id (repeatable)")
+      ->expected(1)
+      ->take_all();
 }
 
 }  // namespace posture::app

@@ -8,11 +8,9 @@
 #include <posture/io/shape_io.h>
 #include <posture/report/colors.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
-#include <fstream>
 #include <locale>
+#include <set>
 #include <system_error>
 
 namespace posture::app {
@@ -22,10 +20,33 @@ namespace fs = std::filesystem;
 
 std::string alternativeName(std::size_t k) { return "alternative-" + std::to_string(k); }
 
-/// No value where the file is not there or no JSON.
-nlohmann::json readIfThere(const fs::path& path) {
-  std::ifstream file(path);
-  return nlohmann::json::parse(file, nullptr, false);
+/// Whether it is `before`, a number and one of `ends`.
+bool isNumbered(const std::string& name,
+                const std::string& before,
+                const std::vector<std::string>& ends) {
+  if (name.rfind(before, 0) != 0) return false;
+  const std::size_t end = name.find_first_not_of("0123456789", before.size());
+  return end != std::string::npos && end > before.size() &&
+         std::find(ends.begin(), ends.end(), name.substr(end)) != ends.end();
+}
+
+bool isResultFile(const std::string& name) {
+  static const std::set<std::string> NAMES{"correspondence.csv",
+                                           "correspondence_back.csv",
+                                           "registered.ply",
+                                           "registered_surface.ply",
+                                           "segments.ply",
+                                           "source_colored.ply",
+                                           "source_surface.csv",
+                                           "source_surface.ply",
+                                           "target_colored.ply",
+                                           "target_surface.csv",
+                                           "target_surface.ply"};
+  return NAMES.count(name) > 0 || isNumbered(name, "alternative-", {".csv", "_target_colored.ply"});
+}
+
+bool isSegmentFile(const std::string& name) {
+  return name == "segments.csv" || isNumbered(name, "pose-", {"_segments.ply"});
 }
 
 /// Takes a file of an earlier result out of its folder; what cannot be removed is written over, or
@@ -33,11 +54,18 @@ nlohmann::json readIfThere(const fs::path& path) {
 void removeFrom(const fs::path& folder, const fs::path& name, const std::vector<fs::path>& except) {
   const fs::path path = folder / name;
   std::error_code error;
-  if (name != name.filename() || !fs::is_regular_file(path, error)) return;
+  if (!fs::is_regular_file(path, error)) return;
   if (std::none_of(except.begin(), except.end(), [&](const fs::path& kept) {
         return fs::equivalent(path, kept, error);
       }))
     fs::remove(path, error);
+}
+
+std::vector<fs::path> namesIn(const fs::path& folder, bool (*is_one)(const std::string&)) {
+  std::vector<fs::path> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (is_one(entry.path().filename().string())) names.push_back(entry.path().filename());
+  return names;
 }
 
 }  // namespace
@@ -88,21 +116,15 @@ std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationR
 }
 
 void removeResultFiles(const fs::path& folder, const std::vector<fs::path>& except) {
-  const nlohmann::json report = readIfThere(folder / "report.json");
   removeFrom(folder, "report.json", except);  // first: without it the folder is no result
   removeFrom(folder, "report.html", except);
-  if (!report.is_object() || !report.contains("files") || !report["files"].is_object()) return;
-  for (const auto& listed : report["files"].items()) removeFrom(folder, listed.key(), except);
+  for (const fs::path& name : namesIn(folder, isResultFile)) removeFrom(folder, name, except);
 }
 
 void removeSegmentFiles(const fs::path& folder, const std::vector<fs::path>& except) {
-  const nlohmann::json segments = readIfThere(folder / "segments.json");
-  if (!segments.is_object()) return;
-  for (const char* name : {"segments.json", "segments.csv", "segments.ply"})
-    removeFrom(folder, name, except);
-  for (const auto& pose : segments.value("poses", nlohmann::json::array()))
-    if (pose.is_object() && pose.contains("colored") && pose["colored"].is_string())
-      removeFrom(folder, pose["colored"].get<std::string>(), except);
+  if (fs::exists(folder / "segments.json")) removeFrom(folder, "segments.ply", except);  // its own
+  removeFrom(folder, "segments.json", except);
+  for (const fs::path& name : namesIn(folder, isSegmentFile)) removeFrom(folder, name, except);
 }
 
 void writeSurfaceLink(const fs::path& path, const ScanSurface& surface) {

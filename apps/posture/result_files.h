@@ -26,12 +26,12 @@ void writeResultFiles(const std::filesystem::path& folder,
                       const RegistrationResult& result,
                       const std::optional<ShapeSegments>& segments);
 
-/// Takes an earlier result out of a folder, but for some files: what its report lists, the report
-/// first.
+/// Takes an earlier result out of a folder, also one that was being written, but for some files:
+/// the report first, then all that has a name of writeResultFiles().
 void removeResultFiles(const std::filesystem::path& folder,
                        const std::vector<std::filesystem::path>& except);
 
-/// The same for what `segment` wrote: segments.json first, then what it lists.
+/// The same for what `segment` wrote; segments.ply only where it is not `register`'s.
 void removeSegmentFiles(const std::filesystem::path& folder,
                         const std::vector<std::filesystem::path>& except);
 

@@ -5,9 +5,8 @@
 #include <posture/pipeline/segment_shape.h>
 #include <posture/report/colors.h>
 
-#include <nlohmann/json.hpp>
-
 #include "folder.h"
+#include "json_document.h"
 #include "motion_json.h"
 #include "progress.h"
 #include "register_files.h"
@@ -23,7 +22,6 @@ namespace posture::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 struct SegmentOptions {
   fs::path reference, folder;
@@ -146,8 +144,7 @@ void segmentVerb(const SegmentOptions& options, Common& common) {
   const bool any = !poses.results.empty();
   const ShapeSegments segments =
       any ? segmentShape(reference.shape, poses.results) : ShapeSegments{};
-  const std::string described =
-      describe(options, poses, segments).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string described = documentText(describe(options, poses, segments));
   if (any) writeFiles(options.folder, reference.shape, poses, segments, described);
   if (common.json)
     std::printf("%s", described.c_str());

@@ -5,10 +5,9 @@
 #include <posture/synthesis/rigid_pair.h>
 #include <posture/synthesis/simulated_scan.h>
 
-#include <nlohmann/json.hpp>
-
 #include "common/in_range.h"
 #include "folder.h"
+#include "json_document.h"
 #include "synthesize_files.h"
 #include "verbs.h"
 #include <filesystem>
@@ -24,7 +23,6 @@ namespace posture::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 struct SynthesizeOptions {
   fs::path folder;
@@ -104,8 +102,7 @@ void synthesizeRigid(const SynthesizeOptions& options, const Common& common) {
   PairList list(options.folder, false);
   const Json pair = list.addRigid(options.kind, source, target);
   list.write();
-  if (common.json)
-    std::cout << Json{{"shapes", shapes}, {"pairs", Json::array({pair})}}.dump(1) << '\n';
+  if (common.json) std::cout << documentText({{"shapes", shapes}, {"pairs", Json::array({pair})}});
 }
 
 void synthesize(const SynthesizeOptions& options, const Common& common) {
@@ -132,8 +129,8 @@ void synthesize(const SynthesizeOptions& options, const Common& common) {
     if (options.scan) pairs.push_back(list.addScans(options.kind, reference, shape));
   }
   if (!pairs.empty()) list.write();
-  if (!bones.empty()) writeText(options.folder / "bones.json", bones.dump(1) + "\n");
-  if (common.json) std::cout << Json{{"shapes", shapes}, {"pairs", pairs}}.dump(1) << '\n';
+  if (!bones.empty()) writeText(options.folder / "bones.json", documentText(bones));
+  if (common.json) std::cout << documentText({{"shapes", shapes}, {"pairs", pairs}});
 }
 
 /// Returns --scan, which the others need.

@@ -18,7 +18,6 @@ namespace posture::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 std::string pairKind(const BodyOptions& body) {
   return body.noise > 0 ? "noise" : body.holes > 0 ? "holes" : "isometric";

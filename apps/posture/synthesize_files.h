@@ -6,8 +6,7 @@
 #include <posture/synthesis/articulated_body.h>
 #include <posture/synthesis/simulated_scan.h>
 
-#include <nlohmann/json.hpp>
-
+#include "json_document.h"
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -30,15 +29,13 @@ struct SynthesizedShape {
 };
 
 /// Writes the shape, and with it its scan; returns what was written as JSON.
-nlohmann::ordered_json writeShape(const std::filesystem::path& folder,
-                                  const SynthesizedShape& shape,
-                                  bool quiet);
+Json writeShape(const std::filesystem::path& folder, const SynthesizedShape& shape, bool quiet);
 
 /// The bone of each vertex.
 void writeBones(const std::filesystem::path& path, const ArticulatedBody& body);
 
 /// How the bones move from the rest pose.
-nlohmann::ordered_json describeBones(const ArticulatedBody& body);
+Json describeBones(const ArticulatedBody& body);
 
 /// The pairs of shapes in a folder, for `pairs.csv`. Each writes its truth files and returns them
 /// as JSON.
@@ -47,19 +44,19 @@ class PairList {
   /// \param scans  whether there are any.
   PairList(std::filesystem::path folder, bool scans) : folder_(std::move(folder)), scans_(scans) {}
 
-  nlohmann::ordered_json add(const std::string& family,
-                             const SynthesizedShape& source,
-                             const SynthesizedShape& target);
+  Json add(const std::string& family,
+           const SynthesizedShape& source,
+           const SynthesizedShape& target);
 
   /// A body that holds still.
-  nlohmann::ordered_json addRigid(const std::string& family,
-                                  const SynthesizedShape& source,
-                                  const SynthesizedShape& target);
+  Json addRigid(const std::string& family,
+                const SynthesizedShape& source,
+                const SynthesizedShape& target);
 
   /// The scans of the two.
-  nlohmann::ordered_json addScans(const std::string& family,
-                                  const SynthesizedShape& source,
-                                  const SynthesizedShape& target);
+  Json addScans(const std::string& family,
+                const SynthesizedShape& source,
+                const SynthesizedShape& target);
 
   void write() const;
 
@@ -69,11 +66,11 @@ class PairList {
   };
 
   /// \param fields  id, family, kind, source, target.
-  nlohmann::ordered_json add(const std::vector<std::string>& fields,
-                             const std::vector<VertexPair>& truth,
-                             const std::vector<VertexPair>& mirror_truth,
-                             const std::string& note,
-                             const Surface& surface = {});
+  Json add(const std::vector<std::string>& fields,
+           const std::vector<VertexPair>& truth,
+           const std::vector<VertexPair>& mirror_truth,
+           const std::string& note,
+           const Surface& surface = {});
 
   std::filesystem::path folder_;
   bool scans_;

@@ -145,6 +145,8 @@ int parseAndRun(int argc, char** argv) {
     return fail(error.what(), EXIT_USAGE);
   }
   run(arguments);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    return fail("stdout cannot be written", EXIT_INPUT);
   return 0;
 }
 

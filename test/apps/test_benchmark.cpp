@@ -18,6 +18,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 namespace fs = std::filesystem;
 
@@ -73,7 +74,7 @@ class Benchmark : public testing::Test {
 };
 
 TEST_F(Benchmark, OneBadPairDoesNotEndTheList) {
-  const auto end = benchmark();
+  const auto end = published();
   ASSERT_EQ(end.exit_code, 0) << end.err;
   EXPECT_EQ(std::count(end.err.begin(), end.err.end(), '\n'), 3) << end.err;  // a line a pair
   EXPECT_THAT(end.out, HasSubstr("3 pairs: "));
@@ -99,13 +100,60 @@ TEST_F(Benchmark, OneBadPairDoesNotEndTheList) {
   EXPECT_EQ(rows[1][0], "good");
   EXPECT_EQ(rows[3].size(), rows[0].size());
   const std::string page = test::bytesOf(out_ / "RESULTS.md");
-  for (const char* part : {"| strip ", "| scans ", "## The paper's own figures", "| points "})
-    EXPECT_THAT(page, HasSubstr(part));
+  for (const char* part : {"| strip ", "| scans ", "| points "}) EXPECT_THAT(page, HasSubstr(part));
+  EXPECT_THAT(page, Not(HasSubstr("## The paper's own figures"))) << "it has no such families";
   EXPECT_EQ(json::parse(test::bytesOf(out_ / "results.json"))["pairs"].size(), 3u);
   EXPECT_THAT(test::bytesOf(out_ / "curves.svg"), HasSubstr("<svg"));
   EXPECT_THAT(test::bytesOf(out_ / "histogram.svg"), HasSubstr("<svg"));
   for (const auto& entry : fs::directory_iterator(out_ / "pairs"))
     EXPECT_EQ(entry.path().extension(), ".json");  // no logs, no half-written files
+}
+
+TEST_F(Benchmark, TheRefinedMethodIsTheDefault) {
+  const auto end = benchmark({"--pair", "good"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_EQ(result("good")["method"], "refined");
+  EXPECT_GT(result("good")["trust"], 0);
+  EXPECT_GE(result("good")["candidates"]["errors"].size(), 1u);
+  EXPECT_LT(result("good")["errors"]["mean_x100"], 5);
+}
+
+TEST_F(Benchmark, FamiliesOfThePaperStandBesideItsFigures) {
+  std::ofstream(folder_ / "pairs.csv") << "id,family,source,target,truth\n"
+                                          "good,horse,m/flat.off,m/bent.off,identity\n";
+  ASSERT_EQ(published().exit_code, 0);
+  EXPECT_THAT(test::bytesOf(out_ / "RESULTS.md"), HasSubstr("## The paper's own figures"));
+}
+
+TEST_F(Benchmark, TextsThatAreNoUtf8AreRefusedBeforeAnythingRuns) {
+  std::ofstream(folder_ / "pairs.csv", std::ios::app) << "latin,,,m/flat.off,m/bent.off,,,K\xe4"
+                                                         "fer\n";
+  const auto end = published();
+  EXPECT_EQ(end.exit_code, 3);
+  EXPECT_THAT(end.err, HasSubstr("pair latin"));
+  EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(Benchmark, WhatTookTooLongIsRunAgain) {
+  ASSERT_EQ(published({"--pair", "good", "--time-limit", "0.001"}).exit_code, 0);
+  EXPECT_EQ(result("good")["status"], "failed");
+  ASSERT_EQ(published({"--pair", "good"}).exit_code, 0);
+  EXPECT_NE(result("good")["status"], "failed");
+}
+
+TEST_F(Benchmark, TheListMayComeBehindAnOption) {
+  const auto end = test::run(POSTURE,
+                             {"benchmark",
+                              "--paper",
+                              "-o",
+                              out_.string(),
+                              "--pair",
+                              "missing",
+                              "--pair",
+                              "good",
+                              folder_ / "pairs.csv"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_TRUE(fs::exists(out_ / "pairs/good.json"));
 }
 
 TEST_F(Benchmark, ResumesWhereItStopped) {
