@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/files.h"
 #include <filesystem>
 #include <fstream>
 
@@ -17,9 +18,6 @@ using testing::HasSubstr;
 
 class PairList : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::vector<BenchmarkPair> read(const std::string& text) const {
     std::ofstream(folder_ / "pairs.csv", std::ios::binary) << text;
     return readPairList(folder_ / "pairs.csv");
@@ -27,17 +25,10 @@ class PairList : public testing::Test {
 
   /// The message of the InputError that reading `text` ends in.
   std::string errorOf(const std::string& text) const {
-    try {
-      read(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    return test::inputErrorOf([&] { read(text); });
   }
 
-  const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) /
-      ("posture-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const test::TemporaryFolder folder_;
 };
 
 TEST(Csv, ReadsQuotes) {
@@ -57,7 +48,7 @@ TEST_F(PairList, ReadsRows) {
       "b,cat,scan,/abs/c.ply,m/d.ply,t/b.txt,t/b.mirror.txt,\n");
   ASSERT_EQ(pairs.size(), 2u);
   EXPECT_EQ(pairs[0].id, "a");
-  EXPECT_EQ(pairs[0].source, folder_ / "m/a.obj");
+  EXPECT_EQ(pairs[0].source, folder_.path() / "m/a.obj");
   EXPECT_EQ(pairs[0].truth, "identity");
   EXPECT_TRUE(pairs[0].mirror_truth.empty());
   EXPECT_EQ(pairs[0].note, "small, clean");
@@ -85,7 +76,7 @@ TEST_F(PairList, SaysWhatIsWrong) {
   EXPECT_THAT(errorOf(head + "a,,c\n"), HasSubstr("lacks its source"));
   EXPECT_THAT(errorOf(head + "a,\"b,c\n"), HasSubstr("never closed"));
   EXPECT_THROW(readPairList(folder_ / "none.csv"), InputError);
-  EXPECT_THROW(readPairList(folder_), InputError);
+  EXPECT_THROW(readPairList(folder_.path()), InputError);
 }
 
 }  // namespace

@@ -26,14 +26,14 @@ TEST(Truth, Identity) {
 }
 
 TEST(Truth, FileWithinRange) {
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / "posture-truth.txt";
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "truth.txt";
   std::ofstream(file) << "0 5\n2 1\n";
   EXPECT_EQ(readTruth(file, 3, 6).size(), 2u);
   EXPECT_THAT(test::inputErrorOf([&] { readTruth(file, 2, 6); }), HasSubstr("source vertex 2"));
   EXPECT_THAT(test::inputErrorOf([&] { readTruth(file, 3, 5); }), HasSubstr("target vertex 5"));
   std::ofstream(file) << "# nothing\n";
-  EXPECT_THAT(test::inputErrorOf([&] { readTruth(file, 3, 6); }), HasSubstr("posture-truth.txt"));
+  EXPECT_THAT(test::inputErrorOf([&] { readTruth(file, 3, 6); }), HasSubstr("truth.txt"));
   std::filesystem::remove(file);
   EXPECT_THROW(readTruth(file, 3, 6), InputError);
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "body_checks.h"
+#include <algorithm>
 #include <vector>
 
 namespace posture {
@@ -52,7 +53,15 @@ TEST(RigidPair, NoiseDiffersBetweenTheSides) {
   BodyOptions noisy = small();
   noisy.noise = 0.003;
   const RigidPair clean = makeRigidPair(small()), disturbed = makeRigidPair(noisy);
-  EXPECT_NE((clean.target.mesh.vertices - disturbed.target.mesh.vertices).norm(), 0);
+  const auto noise = [&](const ArticulatedBody& before, const ArticulatedBody& after) -> Vector {
+    return (after.mesh.vertices - before.mesh.vertices).rowwise().norm();
+  };
+  const Vector of_source = noise(clean.source, disturbed.source),
+               of_target = noise(clean.target, disturbed.target);
+  EXPECT_GT(of_source.mean(), 0);
+  EXPECT_GT(of_target.mean(), 0);
+  const auto n = std::min(of_source.size(), of_target.size());
+  EXPECT_GT((of_source.head(n) - of_target.head(n)).cwiseAbs().mean(), 0.1 * of_source.mean());
   EXPECT_THROW(makeRigidPair({BodyKind::HUMAN, 0, 10}), std::invalid_argument);
 }
 
