@@ -24,13 +24,13 @@ using diagnostic_msgs::DiagnosticStatus;
 using sensor_msgs::PointCloud2;
 using visualization_msgs::Marker;
 
-const std::string SCANS = DATA_DIR "/scans/human-pose";
+const std::string BODY = DATA_DIR "/human/human-pose";
 
-constexpr int UNSEEN = 25;  // points without coordinates behind those of the scan
+constexpr int UNSEEN = 25;  // points without coordinates behind those of the body
 
-/// A bundled scan, points that were not seen behind it, and a field of its own.
-PointCloud2 scanMessage(int pose, const std::string& frame, double stamp) {
-  const Points all = readShape(SCANS + std::to_string(pose) + "-scan.pcd").cloud.points;
+/// The vertices of a bundled body, points that were not seen behind them, and a field of its own.
+PointCloud2 cloudMessage(int pose, const std::string& frame, double stamp) {
+  const Points all = readShape(BODY + std::to_string(pose) + ".ply").cloud.points;
   PointCloud cloud;
   cloud.points = Points::Constant(all.rows() + UNSEEN, 3, std::numeric_limits<double>::quiet_NaN());
   std::vector<std::int32_t> number;
@@ -73,7 +73,7 @@ std_srvs::Trigger::Response callRegister() {
 
 class RegisterTopics : public testing::Test {
  protected:
-  const PointCloud2 source_ = scanMessage(0, "left", 10), target_ = scanMessage(6, "right", 20);
+  const PointCloud2 source_ = cloudMessage(0, "left", 10), target_ = cloudMessage(6, "right", 20);
   const Points from_ = app::cloudOf(source_).points, to_ = app::cloudOf(target_).points;
   const NodeOutputs& outputs_ = topics().outputs;
 };
@@ -84,7 +84,7 @@ TEST_F(RegisterTopics, nothingToRegisterYet) {
   EXPECT_THAT(response.message, testing::HasSubstr("not come"));
 }
 
-TEST_F(RegisterTopics, registersTheBundledScans) {
+TEST_F(RegisterTopics, registersPointsOfABody) {
   topics().target.publish(target_);
   topics().source.publish(source_);
   ASSERT_TRUE(outputs_.waitForStatus(1));
@@ -118,9 +118,9 @@ TEST_F(RegisterTopics, keepsPointsAndFieldsAndTakesTheHeaderOfTheTarget) {
 TEST_F(RegisterTopics, putsThemOnTheTargetAndOnTheRightSide) {
   const Points moved = app::cloudOf(outputs_.registered.at(0)).points;
   const Points target = to_.topRows(to_.rows() - UNSEEN);
-  const double error = meanError(moved, target, SCANS + "0-pose6-scan.txt");
+  const double error = meanError(moved, target, BODY + "0-pose6.txt");
   EXPECT_LT(error, 0.015);
-  EXPECT_LT(5 * error, meanError(moved, target, SCANS + "0-pose6-scan-mirror.txt"));
+  EXPECT_LT(5 * error, meanError(moved, target, BODY + "0-pose6-mirror.txt"));
 }
 
 TEST_F(RegisterTopics, linesJoinTruePairs) {
@@ -134,7 +134,7 @@ TEST_F(RegisterTopics, linesJoinTruePairs) {
   for (int i = 0; i < from_.rows() - UNSEEN; ++i)
     number[{from_(i, 0), from_(i, 1), from_(i, 2)}] = i;
   std::map<int, int> truth;
-  for (const VertexPair& pair : readVertexPairs(SCANS + "0-pose6-scan.txt"))
+  for (const VertexPair& pair : readVertexPairs(BODY + "0-pose6.txt"))
     truth[pair.source] = pair.target;
   double sum = 0;
   int count = 0;
@@ -189,11 +189,11 @@ TEST_F(RegisterTopics, tellsHowFarItIs) {
 }
 
 TEST_F(RegisterTopics, badCloudsAreToldAndSurvived) {
-  PointCloud2 unseen = scanMessage(0, "left", 30);
+  PointCloud2 unseen = cloudMessage(0, "left", 30);
   unseen.data = app::moved(unseen, Points::Constant(unseen.width, 3, NAN), {}).data;
-  PointCloud2 truncated = scanMessage(0, "left", 40);
+  PointCloud2 truncated = cloudMessage(0, "left", 40);
   truncated.data.resize(truncated.data.size() / 2);
-  PointCloud2 no_positions = scanMessage(0, "left", 50);
+  PointCloud2 no_positions = cloudMessage(0, "left", 50);
   no_positions.fields[1].name = "why";
   std::size_t n = outputs_.diagnostics.size();
   for (const auto& [message, reason] :
