@@ -43,6 +43,32 @@ TEST(HalfEdgeMesh, starMeetsEveryNeighbour) {
   EXPECT_FALSE(mesh.isBoundaryVertex(5));
 }
 
+TEST(HalfEdgeMesh, boundaryLoopsAreTheRimsEachOnce) {
+  TriangleMesh grid = test::grid(5, 4, 5, 4);
+  // Without the two faces of the square between (2, 1) and (3, 2).
+  std::vector<Eigen::RowVector3i> kept;
+  for (const auto& face : grid.faces.rowwise()) {
+    const Eigen::RowVector3d middle = grid.vertices(face, Eigen::all).colwise().mean();
+    if (!(middle.x() > 2 && middle.x() < 3 && middle.y() > 1 && middle.y() < 2))
+      kept.emplace_back(face);
+  }
+  grid.faces.resize(static_cast<Eigen::Index>(kept.size()), 3);
+  for (std::size_t f = 0; f < kept.size(); ++f)
+    grid.faces.row(static_cast<Eigen::Index>(f)) = kept[f];
+  const HalfEdgeMesh mesh = halfEdges(grid);
+  std::vector<std::vector<int>> loops = mesh.boundaryLoops();
+  ASSERT_EQ(loops.size(), 2U);
+  std::sort(loops.begin(), loops.end(), [](auto& x, auto& y) { return x.size() < y.size(); });
+  EXPECT_EQ(loops[0].size(), 4U);
+  EXPECT_EQ(loops[1].size(), 18U);
+  for (const std::vector<int>& loop : loops)
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      EXPECT_LT(mesh.twin(loop[k]), 0);
+      EXPECT_EQ(mesh.target(loop[k]), mesh.origin(loop[(k + 1) % loop.size()]));
+    }
+  EXPECT_TRUE(halfEdges(test::sphere(2)).boundaryLoops().empty());
+}
+
 TEST(HalfEdgeMesh, refusesWhatIsNotManifoldOrNotOriented) {
   Faces fin(3, 3), against(2, 3), bow_tie(2, 3);
   fin << 0, 1, 2, 1, 0, 3, 0, 1, 4;

@@ -90,6 +90,21 @@ int HalfEdgeMesh::find(int from, int to) const {
   return -1;
 }
 
+std::vector<std::vector<int>> HalfEdgeMesh::boundaryLoops() const {
+  std::vector<std::vector<int>> loops;
+  std::vector<char> seen(origin_.size(), 0);
+  for (int start = 0; start < halfEdgeCount(); ++start) {
+    if (!isLive(start) || twin_[start] >= 0 || seen[start]) continue;
+    loops.emplace_back();
+    // One fan a vertex: of each on the boundary one half-edge without a twin goes out.
+    for (int h = start; !seen[h]; h = outgoing_[target(h)]) {
+      seen[h] = 1;
+      loops.back().push_back(h);
+    }
+  }
+  return loops;
+}
+
 bool HalfEdgeMesh::canCollapse(int from, int into) const {
   const int h = find(from, into);
   const int t = h >= 0 ? twin_[h] : find(into, from);

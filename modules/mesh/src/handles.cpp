@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/unions.h>
 #include <posture/mesh/half_edge_mesh.h>
 #include <posture/mesh/handles.h>
 
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -18,53 +18,17 @@ constexpr double FAR = std::numeric_limits<double>::infinity();
 using Entry = std::pair<double, int>;
 using Front = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
 
-/// Sets that grow together.
-class Unions {
- public:
-  explicit Unions(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int root(int x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
-  /// False if they were one set before.
-  bool join(int a, int b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
- private:
-  std::vector<int> parent_;
-};
-
-/// For each half-edge of the boundary the number of its hole, from 0; -1 for the others.
-std::vector<int> holesOf(const HalfEdgeMesh& mesh, int& holes) {
-  const int n = mesh.halfEdgeCount();
-  std::vector<int> hole(n, -1);
-  holes = 0;
-  for (int start = 0; start < n; ++start) {
-    if (mesh.twin(start) >= 0 || hole[start] >= 0) continue;
-    // The boundary goes on from the end of h: turning about it leads to the edge without a face.
-    for (int h = start; hole[h] < 0;) {
-      hole[h] = holes;
-      h = HalfEdgeMesh::next(h);
-      while (mesh.twin(h) >= 0) h = HalfEdgeMesh::next(mesh.twin(h));
-    }
-    ++holes;
-  }
-  return hole;
-}
-
 }  // namespace
 
 Handles::Handles(const TriangleMesh& mesh) : vertices_(static_cast<int>(mesh.vertices.rows())) {
   const HalfEdgeMesh edges(mesh.faces, vertices_);
-  int holes = 0;
-  const std::vector<int> hole = holesOf(edges, holes);
   const int faces = static_cast<int>(mesh.faces.rows());
-  regions_ = faces + holes;
+  regions_ = faces;
+  std::vector<int> beyond(edges.halfEdgeCount(), -1);  // a rim: the number of its hole
+  for (const std::vector<int>& loop : edges.boundaryLoops()) {
+    for (int h : loop) beyond[h] = regions_;
+    ++regions_;
+  }
   for (int h = 0; h < edges.halfEdgeCount(); ++h) {
     const int twin = edges.twin(h);
     if (twin >= 0 && twin < h) continue;
@@ -72,7 +36,7 @@ Handles::Handles(const TriangleMesh& mesh) : vertices_(static_cast<int>(mesh.ver
     sides_.push_back({a,
                       b,
                       h / 3,
-                      twin >= 0 ? twin / 3 : faces + hole[h],
+                      twin >= 0 ? twin / 3 : beyond[h],
                       (mesh.vertices.row(a) - mesh.vertices.row(b)).norm()});
   }
   first_.assign(vertices_ + 1, 0);

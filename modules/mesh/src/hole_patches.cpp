@@ -74,22 +74,6 @@ Disc discFor(const std::vector<double>& rim_angles, int rings) {
   return disc;
 }
 
-/// The half-edges of each hole, in the order in which their faces have them.
-std::vector<std::vector<int>> holesOf(const HalfEdgeMesh& mesh) {
-  std::vector<std::vector<int>> holes;
-  std::vector<char> seen(mesh.halfEdgeCount(), 0);
-  for (int start = 0; start < mesh.halfEdgeCount(); ++start) {
-    if (!mesh.isLive(start) || mesh.twin(start) >= 0 || seen[start]) continue;
-    holes.emplace_back();
-    // One fan a vertex: of each on the boundary one half-edge without a twin goes out.
-    for (int h = start; !seen[h]; h = mesh.outgoing(mesh.target(h))) {
-      seen[h] = 1;
-      holes.back().push_back(h);
-    }
-  }
-  return holes;
-}
-
 /// A hole with its patch.
 class Patch {
  public:
@@ -260,7 +244,7 @@ HolePatches patchHoles(const TriangleMesh& mesh) {
   HolePatches patches;
   std::vector<RowVector3d> vertices;
   std::vector<std::array<int, 3>> faces;
-  for (const std::vector<int>& hole : holesOf(half_edges)) {
+  for (const std::vector<int>& hole : half_edges.boundaryLoops()) {
     if (hole.size() < 3 || !std::all_of(hole.begin(), hole.end(), isBorder)) continue;
     Patch patch(cut.mesh, half_edges, hole);
     if (patch.rimLength() > short_rim && patch.smoothness() < LEAST_SMOOTHNESS) continue;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/median.h>
 #include <posture/core/parallel.h>
+#include <posture/core/unions.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/smooth_noise.h>
 #include <posture/mesh/vertex_neighbors.h>
@@ -34,21 +35,13 @@ constexpr int LONG_RIM = 12;
 
 /// Non-zero for the vertices of long rims.
 std::vector<char> longRims(const std::vector<Edge>& edges, int vertex_count) {
-  std::vector<int> rim(vertex_count, -1), size(vertex_count, 0);
-  const auto rimOf = [&](int v) {
-    while (rim[v] != v) v = rim[v] = rim[rim[v]];
-    return v;
-  };
-  for (const Edge& e : edges) {
-    if (e.faces != 1) continue;
-    for (int v : {e.first, e.second})
-      if (rim[v] < 0) rim[v] = v;
-    rim[rimOf(e.first)] = rimOf(e.second);
-  }
-  for (int v = 0; v < vertex_count; ++v)
-    if (rim[v] >= 0) ++size[rimOf(v)];
+  Unions rims(vertex_count);
+  for (const Edge& e : edges)
+    if (e.faces == 1) rims.join(e.first, e.second);
+  std::vector<int> size(vertex_count, 0);
+  for (int v = 0; v < vertex_count; ++v) ++size[rims.root(v)];
   std::vector<char> is_long(vertex_count, 0);
-  for (int v = 0; v < vertex_count; ++v) is_long[v] = rim[v] >= 0 && size[rimOf(v)] >= LONG_RIM;
+  for (int v = 0; v < vertex_count; ++v) is_long[v] = size[rims.root(v)] >= LONG_RIM;
   return is_long;
 }
 

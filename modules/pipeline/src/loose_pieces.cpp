@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loose_pieces.h"
 
+#include <posture/core/unions.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/point_index.h>
 #include <posture/mesh/rigid_motion.h>
@@ -33,31 +34,21 @@ constexpr std::size_t LEAST_PIECE = 3;
 /// points in no face are pieces of their own. By their first vertex.
 std::vector<std::vector<int>> loosePieces(const GivenShape& shape) {
   const int n = static_cast<int>(shape.input.vertices.rows());
-  std::vector<int> parent(n);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  const auto join = [&](int a, int b) {
-    a = root(a);
-    b = root(b);
-    parent[std::max(a, b)] = std::min(a, b);
-  };
+  Unions joined(n);
   const auto loose = [&](int v) { return shape.clean.offset[v] > 0; };
   for (int f = 0; f < shape.input.faces.rows(); ++f)
     for (int k = 0; k < 3; ++k) {
       const int a = shape.input.faces(f, k), b = shape.input.faces(f, (k + 1) % 3);
-      if (loose(a) && loose(b)) join(a, b);
+      if (loose(a) && loose(b)) joined.join(a, b);
     }
   const std::vector<int> first = weld(shape.input.vertices);
-  for (int v = 0; v < n; ++v) join(v, first[v]);
+  for (int v = 0; v < n; ++v) joined.join(v, first[v]);
 
   std::vector<int> number(n, -1);
   std::vector<std::vector<int>> pieces;
   for (int v = 0; v < n; ++v) {
     if (!loose(v)) continue;
-    int& piece = number[root(v)];
+    int& piece = number[joined.root(v)];
     if (piece < 0) {
       piece = static_cast<int>(pieces.size());
       pieces.emplace_back();

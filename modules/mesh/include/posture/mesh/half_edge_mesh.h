@@ -45,6 +45,10 @@ class HalfEdgeMesh {
   /// Vertices joined to v by an edge; on the boundary including the one no half-edge of v reaches.
   std::vector<int> neighbors(int v) const;
 
+  /// The live half-edges without a twin, a list a hole, in the order in which their faces have
+  /// them.
+  std::vector<std::vector<int>> boundaryLoops() const;
+
   /// Whether moving `from` into its neighbour `into` keeps a manifold of the same topology: the
   /// link condition (Dey et al. 1999), with the boundary closed by a vertex of its own.
   bool canCollapse(int from, int into) const;
