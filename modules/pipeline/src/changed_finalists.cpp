@@ -22,10 +22,6 @@ namespace {
 /// Of different answers so many are tried without what they misplace.
 constexpr int MOST_LOOSENED = 8;
 
-/// How finalists settle before parts of them are laid anew.
-constexpr double SETTLING[] = {0.1, 0.3};
-constexpr int SETTLING_ROUNDS = 6;
-
 /// So many different answers are grown anew, and so many turned; of what comes of either the best
 /// are let go of what they misplace.
 constexpr std::size_t MOST_GROWN_FROM = 4, MOST_TURNED_FROM = 3, MOST_CHANGED = 6;
@@ -34,7 +30,8 @@ constexpr std::size_t MOST_GROWN_FROM = 4, MOST_TURNED_FROM = 3, MOST_CHANGED = 
 constexpr int MOST_SYMMETRIES = 8;
 constexpr std::size_t MOST_TURNS = 3;
 
-/// A finalist's map with both surfaces bent.
+/// A finalist's map with both surfaces bent; what is laid anew of them settles as softly as they do
+/// at the last.
 BentPair bentPair(const SpectralSurface& source,
                   const SpectralSurface& target,
                   double softness,
@@ -44,7 +41,8 @@ BentPair bentPair(const SpectralSurface& source,
   BentPair pair{maps,
                 target.mesh.vertices(maps.forward, Eigen::all),
                 source.mesh.vertices(maps.backward, Eigen::all)};
-  for (double share : SETTLING) settle(source, target, share * softness, SETTLING_ROUNDS, pair);
+  for (std::size_t k = 0; k + 1 < SETTLING.size(); ++k)
+    settle(source, target, SETTLING[k] * softness, SETTLING_ROUNDS, pair);
   return pair;
 }
 
@@ -55,7 +53,7 @@ double scoreToBeat(const SpectralSurface& source,
                    double softness,
                    const Finalist& finalist,
                    BentPair pair) {
-  settle(source, target, softness, SETTLING_ROUNDS, pair);
+  settleSoftening(source, target, softness, pair, SETTLING.size() - 1);
   return std::min(finalist.score.total(), scoreBent(source, target, pair, false).total());
 }
 
@@ -72,13 +70,6 @@ double gapBetween(const SpectralSurface& target, const BentPair& x, const BentPa
             .norm();
   }
   return both > 0 ? sum / both : std::numeric_limits<double>::infinity();
-}
-
-VertexMaps composed(const VertexMaps& first, const VertexMaps& second) {
-  VertexMaps maps;
-  for (int v : first.forward) maps.forward.push_back(second.forward[v]);
-  for (int v : second.backward) maps.backward.push_back(first.backward[v]);
-  return maps;
 }
 
 /// The finalist with another map, if that looks like one body and keeps the outside out.

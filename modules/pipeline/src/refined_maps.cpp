@@ -17,13 +17,13 @@
 namespace posture {
 namespace {
 
-/// Shares of the softness by which surfaces settle, and where among them to begin. A stiff surface
-/// slides far as a whole, a soft one stays near what is known: which of the two ways is better
-/// depends on how isometric the pair is, and the score tells. The longer way first: two threads
-/// then end at the same time.
-constexpr std::array<double, 4> SOFTENING{0.03, 0.1, 0.3, 1};
-constexpr int STIFF = 0, SOFT = 1, WAYS = 2, QUICK = 2;
-constexpr int ROUNDS = 6;
+/// Ways to settle: softening, before that still stiffer, or the end of softening alone. A stiff
+/// surface slides far as a whole, a soft one stays near what is known: which of the first two ways
+/// is better depends on how isometric the pair is, and the score tells. The longer way first: two
+/// threads then end at the same time.
+enum Way { STIFF, SOFT, QUICK };
+constexpr int WAYS = 2;           // that are compared
+constexpr double STIFFER = 0.03;  // of the softness
 
 /// How many turns of a limb are tried on the work meshes; to be compared, all settles quickly then.
 constexpr std::size_t MOST_TURNS = 2;
@@ -42,14 +42,13 @@ constexpr double LEAST_OF_LETTING_GO = 2 * SCORE_NOISE;
 /// more or at most 0.7.
 constexpr double LEAST_TO_JUDGE_WITHOUT = 1;
 
-/// \param first  share of the softness to begin with.
-void settleFrom(int first,
-                double softness,
-                const SpectralSurface& source,
-                const SpectralSurface& target,
-                BentPair& pair) {
-  for (std::size_t k = first; k < SOFTENING.size(); ++k)
-    settle(source, target, SOFTENING[k] * softness, ROUNDS, pair);
+void settleBy(Way way,
+              double softness,
+              const SpectralSurface& source,
+              const SpectralSurface& target,
+              BentPair& pair) {
+  if (way == STIFF) settle(source, target, STIFFER * softness, SETTLING_ROUNDS, pair);
+  settleSoftening(source, target, softness, pair, way == QUICK ? 1 : 0);
 }
 
 /// Maps of the coarse meshes on the work meshes, through larger and larger bases.
@@ -126,13 +125,13 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
   const std::vector<int> tips = source.tips();
   std::vector<std::vector<LimbTurn>> turns(tips.size());
-  const auto withTurns = [&](const std::vector<int>& limbs, int first) {
+  const auto withTurns = [&](const std::vector<int>& limbs, Way way) {
     RefinedMap turned = map;
     bool any = false;
     for (int i : limbs)
       any |= turnLimb(source_work, target_work, tips[i], softness, turns[i], turned.pair);
     if (!any) return turned;
-    settleFrom(first, softness, source_work, target_work, turned.pair);
+    settleBy(way, softness, source_work, target_work, turned.pair);
     turned.score = scoreMaps(source_work, target_work, turned.pair.maps);
     return turned;
   };
@@ -171,7 +170,7 @@ void letGoOfWhatIsSqueezed(const SpectralSurface& source,
     return score && score->total() < before - LEAST_TO_JUDGE_WITHOUT;
   };
   if (!isWorth(map.score.total())) return;
-  settleFrom(SOFT, softness, source, target, settled);
+  settleBy(SOFT, softness, source, target, settled);
   if (!isWorth(scoreBent(source, target, settled, false).total())) return;
   if (orientation(source, target, loose.maps) <= LEAST_ORIENTATION) return;
   map.pair = std::move(loose);
@@ -228,7 +227,7 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
     map.pair = starts[map.finalist];
     const SpectralSurface& work = surfaces.source(map.scale);
     const double softness = settlingSoftness(work.eigenvalues, target_work.eigenvalues);
-    settleFrom(i % WAYS, softness, work, target_work, map.pair);
+    settleBy(static_cast<Way>(i % WAYS), softness, work, target_work, map.pair);
     map.score = finalists[map.finalist]->bent ? scoreBent(work, target_work, map.pair, map.laid)
                                               : scoreMaps(work, target_work, map.pair.maps);
     if (!may_lack || map.laid) return;

@@ -78,17 +78,9 @@ VertexMaps spreadToVertices(const SpectralSurface& a,
                             const SampleMap& map,
                             int size) {
   const int k = basisSize(a, b, size);
-  const auto values = [&](const Block& samples, const std::vector<int>& images) {
-    const Block own = samples.leftCols(k);
-    return FunctionValues{
-        own, rowsAt(own, images), own.transpose() * own, Eigen::VectorXf::Ones(own.rows())};
-  };
   const FunctionalMaps c =
-      fitFunctionalMaps(values(samples_a, map.backward), values(samples_b, map.forward));
-  const auto fa = a.functions.leftCols(k), fb = b.functions.leftCols(k);
-  Block joint_a(fa.rows(), 2 * k), joint_b(fb.rows(), 2 * k);
-  joint_a << fa, fa * c.ab;
-  joint_b << fb * c.ba, fb;
+      fitSampledMaps(samples_a.leftCols(k), samples_b.leftCols(k), map.forward, map.backward);
+  auto [joint_a, joint_b] = jointEmbedding(a.functions.leftCols(k), b.functions.leftCols(k), c);
   reduceDimensions(joint_a, joint_b, NEAREST_DIMENSIONS);
   VertexMaps maps;
   nearestAmongGroups(joint_a, joint_b, maps.forward, maps.backward);

@@ -44,6 +44,24 @@ FunctionalMaps fitFunctionalMaps(const SpectralSurface& a,
   return fitFunctionalMaps(values(a, maps.backward), values(b, maps.forward));
 }
 
+FunctionalMaps fitSampledMaps(const Block& a,
+                              const Block& b,
+                              const std::vector<int>& forward,
+                              const std::vector<int>& backward) {
+  const auto values = [](const Block& own, const std::vector<int>& images) {
+    return FunctionValues{
+        own, rowsAt(own, images), own.transpose() * own, Eigen::VectorXf::Ones(own.rows())};
+  };
+  return fitFunctionalMaps(values(a, backward), values(b, forward));
+}
+
+std::pair<Block, Block> jointEmbedding(const Block& a, const Block& b, const FunctionalMaps& maps) {
+  Block joint_a(a.rows(), 2 * a.cols()), joint_b(b.rows(), 2 * b.cols());
+  joint_a << a, a * maps.ab;
+  joint_b << b * maps.ba, b;
+  return {std::move(joint_a), std::move(joint_b)};
+}
+
 int basisSize(const SpectralSurface& a, const SpectralSurface& b, int size) {
   return static_cast<int>(std::min({Eigen::Index{size}, a.functions.cols(), b.functions.cols()}));
 }

@@ -4,6 +4,7 @@
 
 #include <posture/refine/surface.h>
 
+#include <utility>
 #include <vector>
 
 namespace posture {
@@ -39,6 +40,19 @@ FunctionalMaps fitFunctionalMaps(const SpectralSurface& a,
                                  const SpectralSurface& b,
                                  int k,
                                  const VertexMaps& maps);
+
+/// From k functions at farthest-point samples, which stand for areas of about one size, and the map
+/// between them both ways.
+FunctionalMaps fitSampledMaps(const Eigen::MatrixXf& a,
+                              const Eigen::MatrixXf& b,
+                              const std::vector<int>& forward,
+                              const std::vector<int>& backward);
+
+/// Where both functional maps put places of either shape, in 2 k dimensions: near each other where
+/// they correspond. \param a, b  k functions at the places.
+std::pair<Eigen::MatrixXf, Eigen::MatrixXf> jointEmbedding(const Eigen::MatrixXf& a,
+                                                           const Eigen::MatrixXf& b,
+                                                           const FunctionalMaps& maps);
 
 /// At most `size`, and as many as both surfaces have.
 int basisSize(const SpectralSurface& a, const SpectralSurface& b, int size);

@@ -22,10 +22,6 @@ constexpr std::size_t FEWEST = 6;  ///< vertices that tell a motion
 /// Rotations and places alternate so often where a part is laid anew.
 constexpr int LAYING_STEPS = 50;
 
-/// Shares of the softness, stiff, then soft.
-constexpr double SOFTENING[] = {0.1, 0.3, 1};
-constexpr int ROUNDS = 6;
-
 /// The vertices around a part that are not marked themselves.
 std::vector<int> surroundings(const BendableSurface& a,
                               const std::vector<int>& part,
@@ -92,13 +88,6 @@ bool addApart(std::vector<char>& marked, const std::vector<char>& apart) {
 void dropIfNothingIsApart(BentPair& pair) {
   for (std::vector<char>* apart : {&pair.apart_a, &pair.apart_b})
     if (std::find(apart->begin(), apart->end(), 1) == apart->end()) apart->clear();
-}
-
-void settleSoftening(const SpectralSurface& a,
-                     const SpectralSurface& b,
-                     double softness,
-                     BentPair& pair) {
-  for (double share : SOFTENING) settle(a, b, share * softness, ROUNDS, pair);
 }
 
 BentPair laidAnew(const SpectralSurface& a,

@@ -15,12 +15,6 @@ bool addApart(std::vector<char>& marked, const std::vector<char>& apart);
 /// Where nothing is apart, no list of that is kept (BentPair).
 void dropIfNothingIsApart(BentPair& pair);
 
-/// Settles from stiff to soft.
-void settleSoftening(const SpectralSurface& a,
-                     const SpectralSurface& b,
-                     double softness,
-                     BentPair& pair);
-
 /// The pair with what is marked laid as the surface around it goes, after which both settle: what
 /// then lies on the other surface is matched with that, the rest is apart.
 /// \param of_a, of_b  vertices of each.

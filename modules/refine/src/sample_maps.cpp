@@ -149,13 +149,6 @@ std::vector<SampleMap> seededMaps(const SampledShape& a, const SampledShape& b, 
   return distinct(refineAll(a, b, high), b, most);
 }
 
-SampleMap compose(const SampleMap& first, const SampleMap& second) {
-  SampleMap map;
-  for (int t : first.forward) map.forward.push_back(second.forward[t]);
-  for (int t : second.backward) map.backward.push_back(first.backward[t]);
-  return map;
-}
-
 }  // namespace
 
 double distortion(const SampledShape& a, const SampledShape& b, const SampleMap& map) {
@@ -171,16 +164,9 @@ void zoomOut(const SampledShape& a,
   const int available = static_cast<int>(std::min(a.functions.cols(), b.functions.cols()));
   for (const int size : sizes) {
     const int k = std::min(size, available);
-    const auto fa = a.functions.leftCols(k), fb = b.functions.leftCols(k);
-    // Farthest-point samples stand for areas of about one size.
-    const auto values = [](const auto& own, const std::vector<int>& images) {
-      return FunctionValues{
-          own, rowsAt(own, images), own.transpose() * own, Eigen::VectorXf::Ones(own.rows())};
-    };
-    const FunctionalMaps c = fitFunctionalMaps(values(fa, map.backward), values(fb, map.forward));
-    Block joint_a(fa.rows(), 2 * k), joint_b(fb.rows(), 2 * k);
-    joint_a << fa, fa * c.ab;
-    joint_b << fb * c.ba, fb;
+    const Block fa = a.functions.leftCols(k), fb = b.functions.leftCols(k);
+    const auto [joint_a, joint_b] =
+        jointEmbedding(fa, fb, fitSampledMaps(fa, fb, map.forward, map.backward));
     nearestBothWays(joint_a, joint_b, map.forward, map.backward);
   }
 }
@@ -207,8 +193,8 @@ std::vector<SampleMap> poolOfMaps(const SampledShape& a, const SampledShape& b, 
   std::vector<Seed> seeds;
   const std::vector<int> sizes = range(28, LARGEST_BASIS, 4);
   for (int i = 0; i < std::min<int>(BEST, static_cast<int>(pool.size())); ++i) {
-    for (const SampleMap& own : of_a) seeds.push_back({compose(own, pool[i]), sizes});
-    for (const SampleMap& own : of_b) seeds.push_back({compose(pool[i], own), sizes});
+    for (const SampleMap& own : of_a) seeds.push_back({composed(own, pool[i]), sizes});
+    for (const SampleMap& own : of_b) seeds.push_back({composed(pool[i], own), sizes});
   }
   for (SampleMap& map : refineAll(a, b, seeds)) pool.push_back(std::move(map));
   return distinct(std::move(pool), b, most);

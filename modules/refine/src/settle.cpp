@@ -279,6 +279,15 @@ void settle(const BendableSurface& a,
   Settling(a, b, TO_THE_GOAL, pair).run(softness, rounds);
 }
 
+void settleSoftening(const BendableSurface& a,
+                     const BendableSurface& b,
+                     double softness,
+                     BentPair& pair,
+                     std::size_t first) {
+  for (std::size_t k = first; k < SETTLING.size(); ++k)
+    settle(a, b, SETTLING[k] * softness, SETTLING_ROUNDS, pair);
+}
+
 void polish(const BendableSurface& a,
             const BendableSurface& b,
             double softness,

@@ -98,10 +98,10 @@ struct Lying {
 };
 
 /// One for each of END_ANGLES.
-std::vector<Lying> laidAnew(const LimbPair& limb,
-                            double joint,
-                            const EndPair& end,
-                            const BentPair& pair) {
+std::vector<Lying> endsTurned(const LimbPair& limb,
+                              double joint,
+                              const EndPair& end,
+                              const BentPair& pair) {
   std::vector<Lying> laid(END_ANGLES.size());
   parallelFor(static_cast<int>(laid.size()), [&](int k) {
     try {
@@ -157,7 +157,7 @@ bool refitLimbEnd(
   for (double joint : JOINTS) {
     const LimbPair limb(a, b, tip, joint + MARGIN, softness, pair);
     if (!limb.isLimb()) continue;
-    std::vector<Lying> laid = laidAnew(limb, joint, end, pair);
+    std::vector<Lying> laid = endsTurned(limb, joint, end, pair);
     if (laid.front() < best) best = std::move(laid.front());
     const auto least = std::min_element(laid.begin() + 1, laid.end());
     if (*least < turned) turned = std::move(*least);

@@ -24,6 +24,15 @@ struct SampleMap {
   double distortion = 0;      ///< mean |difference of distances|, both ways, over the mean distance
 };
 
+/// The second map after the first. \tparam Map  with `forward` and `backward`.
+template <class Map>
+Map composed(const Map& first, const Map& second) {
+  Map map;
+  for (int v : first.forward) map.forward.push_back(second.forward[v]);
+  for (int v : second.backward) map.backward.push_back(first.backward[v]);
+  return map;
+}
+
 /// Mean change of the distances between samples under a map, both ways, each pair weighted by the
 /// confidence of both its distances; relative to the mean distance.
 double distortion(const SampledShape& a, const SampledShape& b, const SampleMap& map);

@@ -5,6 +5,10 @@
 #include <posture/deformation/reduce_mesh.h>
 #include <posture/refine/surface.h>
 
+#include <array>
+#include <cstddef>
+#include <vector>
+
 namespace posture {
 
 /// Two surfaces, each bent onto the other.
@@ -33,11 +37,22 @@ void settle(const BendableSurface& a,
             int rounds,
             BentPair& pair);
 
-/// The same with long strides (heavy ball method, Polyak 1964): sliding along a surface, matches go
-/// most of the way in the first rounds and the rest of it slowly. For maps without grave mistakes,
-/// which settle() mends better.
-/// \param softness  nearly that which surfaces show: they yield to pulls 1.8 times as long.
-/// \throws std::runtime_error  nothing holds a part of a surface; settle() as well
+/// Shares of the softness by which surfaces settle, stiff, then soft, and the rounds of each.
+inline constexpr std::array<double, 3> SETTLING{0.1, 0.3, 1};
+inline constexpr int SETTLING_ROUNDS = 6;
+
+/// Settles by one of SETTLING after the other. \param first  the one to begin with.
+void settleSoftening(const BendableSurface& a,
+                     const BendableSurface& b,
+                     double softness,
+                     BentPair& pair,
+                     std::size_t first = 0);
+
+/// As settle(), with long strides (heavy ball method, Polyak 1964): sliding along a surface,
+/// matches go most of the way in the first rounds and the rest of it slowly. For maps without grave
+/// mistakes, which settle() mends better. \param softness  nearly that which surfaces show: they
+/// yield to pulls 1.8 times as long. \throws std::runtime_error  nothing holds a part of a surface;
+/// settle() as well
 void polish(const BendableSurface& a,
             const BendableSurface& b,
             double softness,
