@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/program.h"
-#include "support/shapes.h"
+#include "apps/strips.h"
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -16,7 +16,7 @@
 namespace posture {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;  // as the program writes it
 using testing::HasSubstr;
 using testing::Not;
 
@@ -29,8 +29,8 @@ class Benchmark : public testing::Test {
  protected:
   void SetUp() override {
     fs::create_directories(folder_ / "m");
-    writeMesh(folder_ / "m/flat.off", strip(0));
-    writeMesh(folder_ / "m/bent.off", strip(1.5));
+    writeMesh(folder_ / "m/flat.off", test::taperedStrip(0));
+    writeMesh(folder_ / "m/bent.off", test::taperedStrip(1.5));
     std::ofstream points(folder_ / "m/points.off");
     points << "OFF\n100 0 0\n";
     for (int v = 0; v < 100; ++v) points << v << " " << v % 7 << " " << v % 5 << "\n";
@@ -39,15 +39,6 @@ class Benchmark : public testing::Test {
            "good,strip,isometric,m/flat.off,m/bent.off,identity,,\"a strip, bent\"\n"
            "missing,strip,isometric,m/none.off,m/bent.off,identity,,\n"
            "points,scans,scan,m/points.off,m/bent.off,,,\n";
-  }
-
-  /// Wider at one end, so that its ends differ.
-  static TriangleMesh strip(double angle) {
-    TriangleMesh mesh = test::bentStrip(20, 6, 4, 1, angle);
-    const TriangleMesh flat = test::bentStrip(20, 6, 4, 1, 0);
-    for (int v = 0; v < mesh.vertices.rows(); ++v)
-      mesh.vertices(v, 1) *= 1 + 0.2 * flat.vertices(v, 0);
-    return mesh;
   }
 
   test::ProgramRun benchmark(std::vector<std::string> more = {}) const {
@@ -61,16 +52,9 @@ class Benchmark : public testing::Test {
     return benchmark(more);
   }
 
-  json result(const std::string& id) const {
-    return json::parse(test::bytesOf(out_ / "pairs" / (id + ".json")));
-  }
-
-  fs::file_time_type written(const std::string& id) const {
-    return fs::last_write_time(out_ / "pairs" / (id + ".json"));
-  }
-
   const test::TemporaryFolder folder_;
   const fs::path out_ = folder_ / "results";
+  const test::StoredResults result{out_ / "pairs"};
 };
 
 TEST_F(Benchmark, OneBadPairDoesNotEndTheList) {
@@ -159,18 +143,18 @@ TEST_F(Benchmark, TheListMayComeBehindAnOption) {
 TEST_F(Benchmark, ResumesWhereItStopped) {
   ASSERT_EQ(published({"--pair", "good", "--pair", "points"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(out_ / "pairs/missing.json"));
-  const auto good = written("good"), points = written("points");
+  const auto good = result.written("good"), points = result.written("points");
 
   const auto again = published();
   EXPECT_EQ(again.exit_code, 0);
   EXPECT_EQ(std::count(again.err.begin(), again.err.end(), '\n'), 1) << again.err;
-  EXPECT_EQ(written("good"), good);
-  EXPECT_EQ(written("points"), points);
+  EXPECT_EQ(result.written("good"), good);
+  EXPECT_EQ(result.written("points"), points);
   EXPECT_TRUE(fs::exists(out_ / "pairs/missing.json"));
 
   EXPECT_EQ(published({"--fresh", "--family", "scans"}).exit_code, 0);
-  EXPECT_EQ(written("good"), good);
-  EXPECT_NE(written("points"), points);
+  EXPECT_EQ(result.written("good"), good);
+  EXPECT_NE(result.written("points"), points);
   EXPECT_EQ(parseCsv(test::bytesOf(out_ / "results.csv")).size(), 4u);
 }
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/program.h"
-#include "support/shapes.h"
+#include "apps/strips.h"
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
@@ -32,25 +32,16 @@ constexpr int VERTICES = 147;
 class Compare : public testing::Test {
  protected:
   void SetUp() override {
-    const TriangleMesh flat = strip(0);
+    const TriangleMesh flat = test::taperedStrip(0);
     TriangleMesh moved = flat;
     moved.vertices.rowwise() += Eigen::RowVector3d(0.03, -0.02, 0.04);
     writeMesh(folder_ / "flat.off", flat);
     writeMesh(folder_ / "moved.off", moved);
-    writeMesh(folder_ / "bent.off", strip(1.5));
+    writeMesh(folder_ / "bent.off", test::taperedStrip(1.5));
     std::ofstream(folder_ / "pairs.csv") << "id,family,kind,source,target,truth\n"
                                             "rigid,stiff,rigid,flat.off,moved.off,identity\n"
                                             "bent,soft,isometric,flat.off,bent.off,identity\n"
                                             "missing,soft,isometric,none.off,bent.off,identity\n";
-  }
-
-  /// Wider at one end, so that its ends differ.
-  static TriangleMesh strip(double angle) {
-    TriangleMesh mesh = test::bentStrip(20, 6, 4, 1, angle);
-    const TriangleMesh flat = test::bentStrip(20, 6, 4, 1, 0);
-    for (int v = 0; v < mesh.vertices.rows(); ++v)
-      mesh.vertices(v, 1) *= 1 + 0.2 * flat.vertices(v, 0);
-    return mesh;
   }
 
   test::ProgramRun compare(std::vector<std::string> arguments) const {
@@ -100,16 +91,9 @@ class Compare : public testing::Test {
     return end.out;
   }
 
-  json result(const std::string& run) const {
-    return json::parse(test::bytesOf(out_ / "runs" / (run + ".json")));
-  }
-
-  fs::file_time_type written(const std::string& run) const {
-    return fs::last_write_time(out_ / "runs" / (run + ".json"));
-  }
-
   const test::TemporaryFolder folder_;
   const fs::path out_ = folder_ / "results";
+  const test::StoredResults result{out_ / "runs"};
 };
 
 TEST_F(Compare, APairByEveryMethod) {
@@ -339,14 +323,14 @@ TEST_F(Compare, AListGivesARowAMethodAndVariation) {
 
 TEST_F(Compare, ResumesAndKeepsWhatIsNotAskedFor) {
   ASSERT_EQ(comparePairs({"--variation", "aligned", "--pair", "rigid"}).exit_code, 0);
-  const auto before = written("rigid.aligned.icp");
+  const auto before = result.written("rigid.aligned.icp");
   const auto again = comparePairs({"--variation", "aligned", "--variation", "turned"});
   ASSERT_EQ(again.exit_code, 0);
   EXPECT_EQ(std::count(again.err.begin(), again.err.end(), '\n'), 10) << again.err;
-  EXPECT_EQ(written("rigid.aligned.icp"), before);
+  EXPECT_EQ(result.written("rigid.aligned.icp"), before);
 
   ASSERT_EQ(comparePairs({"--variation", "turned", "--family", "stiff", "--fresh"}).exit_code, 0);
-  EXPECT_EQ(written("rigid.aligned.icp"), before);
+  EXPECT_EQ(result.written("rigid.aligned.icp"), before);
   EXPECT_EQ(parseCsv(test::bytesOf(out_ / "comparison.csv")).size(), 13u);
 
   std::ofstream(out_ / "runs/rigid.aligned.icp.json") << "{\"id\": \"ri";
@@ -364,7 +348,7 @@ TEST_F(Compare, RunsAgainWhatIsOfOtherFilesOrAnotherVersion) {
   EXPECT_EQ(run(), 0);
   const double before = result("rigid.aligned.as-given")["mean_distance"];
 
-  TriangleMesh moved = strip(0);
+  TriangleMesh moved = test::taperedStrip(0);
   moved.vertices.rowwise() += Eigen::RowVector3d(0.06, -0.04, 0.08);
   writeMesh(folder_ / "moved.off", moved);
   EXPECT_EQ(run(), 2);
