@@ -8,7 +8,6 @@
 #include "folder.h"
 #include <cstdio>
 #include <string>
-#include <vector>
 
 namespace posture::app {
 namespace {
@@ -22,21 +21,10 @@ Colors colorsOf(const StagePicture& picture) {
   return {};
 }
 
-/// NN-name.ply
-bool isDumped(const std::string& name) {
-  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-  return name.size() > 7 && isDigit(name[0]) && isDigit(name[1]) && name[2] == '-' &&
-         name.substr(name.size() - 4) == ".ply";
-}
-
 }  // namespace
 
 StageDump::StageDump(std::filesystem::path folder) : folder_(std::move(folder)) {
   makeFolder(folder_);
-  std::vector<std::filesystem::path> earlier;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_))
-    if (isDumped(entry.path().filename().string())) earlier.push_back(entry.path());
-  for (const auto& path : earlier) std::filesystem::remove(path);
 }
 
 void StageDump::write(const StageEvent& event) {

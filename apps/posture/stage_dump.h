@@ -12,7 +12,7 @@ namespace posture::app {
 /// 03-source-canonical-form.ply.
 class StageDump {
  public:
-  /// Takes the files of an earlier dump out of the folder. \throws InputError  it cannot be made.
+  /// \throws InputError  the folder cannot be made.
   explicit StageDump(std::filesystem::path folder);
 
   void write(const StageEvent& event);

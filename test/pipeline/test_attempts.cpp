@@ -149,6 +149,17 @@ TEST(Attempts, anAnswerThatIsAllButCertainAndNotAstrayStands) {
   EXPECT_FALSE(knownStands(known, score));
 }
 
+TEST(Attempts, anAnswerIsTheSameOnlyWhereBothMapHalfOfWhatEitherDoes) {
+  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
+  const RegistrationResult whole = answerWith(-12, 1);
+  RegistrationResult most = whole, third = whole;
+  most.correspondence.on_target[0] = {};
+  third.correspondence.on_target[0] = third.correspondence.on_target[1] = {};
+  EXPECT_TRUE(isSameAnswer(whole, most, target));
+  EXPECT_FALSE(isSameAnswer(whole, third, target));
+  EXPECT_FALSE(isSameAnswer(whole, answerWith(-12, 2), target));
+}
+
 TEST(Attempts, mapsThatDifferInAHandDoNotAgreeEverywhere) {
   const TriangleMesh line{Points::NullaryExpr(100, 3, [](auto row, auto) { return 0.01 * row; }),
                           Faces(0, 3)};

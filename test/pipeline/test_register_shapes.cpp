@@ -453,6 +453,17 @@ TEST(RegisterShapes, namesTheSideThatCannotBeUsed) {
   }
 }
 
+TEST(RegisterShapes, refusesWhatIsTooCoarseToTellAShape) {
+  // Two ends of a band of 40 vertices: the rest lies within a mean edge of them.
+  const TriangleMesh band = test::grid(19, 1, 0.1, 10);
+  try {
+    registerShapes(band, band);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("source has only"), std::string::npos) << error.what();
+  }
+}
+
 TEST(RegisterShapes, doesNotPretendToKnowUnrelatedShapes) {
   const RegistrationResult result = registerShapes(test::sphere(4), body(0).mesh);
   EXPECT_EQ(result.status, Status::UNDECIDED);

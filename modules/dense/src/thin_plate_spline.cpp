@@ -64,11 +64,11 @@ void ThinPlateSpline::fit(const Points& to, const double* smoothing) {
     const Eigen::SelfAdjointEigenSolver<Matrix> eigen(kernel.bottomRightCorner(rest, rest));
     const Vector eigenvalues = eigen.eigenvalues().cwiseMax(0.0);
     const double floor = std::numeric_limits<double>::epsilon() * eigenvalues.maxCoeff();
+    if (smoothing != nullptr) smoothing_ = *smoothing;
     if (floor > 0) {  // else all points are at one place
       const Matrix coordinates = eigen.eigenvectors().transpose() * data.bottomRows(rest);
-      smoothing_ = smoothing != nullptr
-                       ? *smoothing
-                       : crossValidated(eigenvalues, coordinates.rowwise().squaredNorm());
+      if (smoothing == nullptr)
+        smoothing_ = crossValidated(eigenvalues, coordinates.rowwise().squaredNorm());
       const Vector inverse = (eigenvalues.array() + smoothing_).cwiseMax(floor).inverse();
       Matrix weights = Matrix::Zero(m, 3);
       weights.bottomRows(rest) = eigen.eigenvectors() * (inverse.asDiagonal() * coordinates);

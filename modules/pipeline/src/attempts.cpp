@@ -27,21 +27,28 @@ constexpr double A_PART = 0.02;
 /// that lead across a face, maps that were astray had lost 1.2 and more.
 constexpr double COST_OF_ADDED = 1;
 
-/// Mean distance between where two answers take what both map; all of the size where that is less
-/// than half of what either of them does.
-double gapBetween(const RegistrationResult& x,
+/// Two answers, where both map something.
+struct Overlap {
+  int both = 0, either = 0, fewer = 0;  ///< vertices that both, either, and the one with fewer map
+  double gap = 0;                       ///< mean distance between where both take what both map
+};
+
+Overlap overlapOf(const RegistrationResult& x,
                   const RegistrationResult& y,
                   const TriangleMesh& target,
                   double size) {
   const std::vector<SurfacePoint>&a = x.correspondence.on_target, &b = y.correspondence.on_target;
+  Overlap overlap;
   double sum = 0;
-  int both = 0;
   for (std::size_t v = 0; v < a.size(); ++v) {
+    overlap.either += a[v].vertex >= 0 || b[v].vertex >= 0;
     if (a[v].vertex < 0 || b[v].vertex < 0) continue;
-    ++both;
+    ++overlap.both;
     sum += (positionOf(target, a[v]) - positionOf(target, b[v])).norm();
   }
-  return both == 0 || 2 * both < std::min(mappedCount(a), mappedCount(b)) ? 1 : sum / (both * size);
+  overlap.fewer = static_cast<int>(std::min(mappedCount(a), mappedCount(b)));
+  if (overlap.both > 0) overlap.gap = sum / (overlap.both * size);
+  return overlap;
 }
 
 /// The one of least score, the first if none is better by more than scores vary.
@@ -71,7 +78,10 @@ Rival rivalOf(const std::vector<Attempt>& attempts,
     const RegistrationResult& found = attempts[i].found;
     if (i == best || found.chosen < 0) continue;
     if (rival.attempt != nullptr && rival.attempt->found.score <= found.score) continue;
-    const double gap = gapBetween(attempts[best].found, found, target, size);
+    const Overlap overlap = overlapOf(attempts[best].found, found, target, size);
+    // One that maps less, and agrees there, does not lead elsewhere.
+    const bool apart = overlap.both == 0 || 2 * overlap.both < overlap.fewer;
+    const double gap = apart ? 1 : overlap.gap;
     if (gap >= SAME_ANSWER) rival = {&attempts[i], gap};
   }
   return rival;
@@ -97,7 +107,8 @@ Attempt withChange(Attempt attempt, const std::function<void(RegistrationResult&
 bool isSameAnswer(const RegistrationResult& x,
                   const RegistrationResult& y,
                   const TriangleMesh& target) {
-  return gapBetween(x, y, target, std::sqrt(x.target.area)) < SAME_ANSWER;
+  const Overlap overlap = overlapOf(x, y, target, std::sqrt(x.target.area));
+  return overlap.both > 0 && 2 * overlap.both >= overlap.either && overlap.gap < SAME_ANSWER;
 }
 
 bool agreeEverywhere(const std::vector<SurfacePoint>& x,

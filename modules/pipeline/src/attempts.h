@@ -24,7 +24,8 @@ RegistrationResult finished(Attempt attempt);
 /// The attempt with what `change` makes of its result, before and after it is finished.
 Attempt withChange(Attempt attempt, const std::function<void(RegistrationResult&)>& change);
 
-/// Whether two attempts at one pair lead to the same places, as far as samples tell.
+/// Whether two attempts at one pair lead to the same places: what both map is at least half of what
+/// either does, and lies less than a tenth of the size apart in the mean.
 bool isSameAnswer(const RegistrationResult& x,
                   const RegistrationResult& y,
                   const TriangleMesh& target);

@@ -51,7 +51,7 @@ ShapeSummary withMeasured(ShapeSummary whole, const ShapeSummary& compared) {
 
 Landmarks sampleSide(const std::string& side, const TriangleMesh& mesh, int most) {
   Landmarks landmarks = computeLandmarks(mesh, FastMarching(mesh), most);
-  // The affine part of a spline alone takes four.
+  // The affine part of a spline takes four, three axes of distances as many.
   if (landmarks.vertices.size() < 5)
     throw InputError(side + " has only " + std::to_string(landmarks.vertices.size()) +
                      " places an edge's length from each other: too few to tell a shape");

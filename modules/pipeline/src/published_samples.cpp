@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "published_samples.h"
 
-#include <posture/core/error.h>
-#include <posture/geodesic/fast_marching.h>
-
 namespace posture {
 namespace {
 

@@ -9,7 +9,6 @@
 
 #include "by_score.h"
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <stdexcept>
 #include <utility>

@@ -22,8 +22,7 @@ namespace {
 /// What has more of the surface within reach is no limb.
 constexpr double LARGEST_SHARE = 0.4;
 
-/// Stiff, then soft, so many rounds each.
-constexpr std::array<double, 3> SHARES{0.1, 0.3, 1};
+/// Of each of SETTLING: enough to tell turns apart.
 constexpr int ROUNDS = 4;
 
 /// Normals count so much more while the surfaces do not lie on each other yet.
@@ -211,7 +210,7 @@ BentPair LimbPair::laid(const LimbTurn& turn) const {
 
 BentPair LimbPair::settled(const LimbTurn& turn) const {
   BentPair pair = laid(turn);
-  for (double share : SHARES) settle(*a_.surface, *b_.surface, share * softness_, ROUNDS, pair);
+  for (double share : SETTLING) settle(*a_.surface, *b_.surface, share * softness_, ROUNDS, pair);
   return pair;
 }
 

@@ -50,9 +50,11 @@ void settleSoftening(const BendableSurface& a,
 
 /// As settle(), with long strides (heavy ball method, Polyak 1964): sliding along a surface,
 /// matches go most of the way in the first rounds and the rest of it slowly. For maps without grave
-/// mistakes, which settle() mends better. \param softness  nearly that which surfaces show: they
-/// yield to pulls 1.8 times as long. \throws std::runtime_error  nothing holds a part of a surface;
-/// settle() as well
+/// mistakes, which settle() mends better.
+///
+/// \param softness  nearly that which surfaces show: they yield to pulls 1.8 times as long.
+///
+/// \throws std::runtime_error  nothing holds a part of a surface; settle() as well
 void polish(const BendableSurface& a,
             const BendableSurface& b,
             double softness,

@@ -8,7 +8,7 @@
 
 namespace posture {
 
-/// report.html: the same as report.json for the eye, one page that needs nothing from elsewhere. As
+/// report.html: most of report.json for the eye, one page that needs nothing from elsewhere. As
 /// there, the last section alone differs between runs on the same input.
 std::string reportHtml(const RegistrationResult& result, const RunDescription& run);
 
