@@ -68,7 +68,7 @@ void benchmark(const BenchmarkOptions& options, const Common& common) {
     Json result = storedResult(run);
     if (options.selection.has(pair)) {
       progress.begin(pair.id);
-      if (options.fresh || result.is_null() || hasFailed(result)) {
+      if (options.fresh || result.is_null() || wasCutShort(result)) {
         result = runInChild(run, [&] { progress.wait(); });
         progress.end(result);
       }

@@ -106,9 +106,10 @@ const std::vector<PaperRow>& paperRows() {
 }
 
 bool isOfThePaper(const Json& family) {
-  return std::any_of(paperRows().begin(), paperRows().end(), [&](const PaperRow& row) {
-    return *row.family != '\0' && row.family == textAt(family, "family");
-  });
+  return family.value("run", 0) > 0 &&
+         std::any_of(paperRows().begin(), paperRows().end(), [&](const PaperRow& row) {
+           return *row.family != '\0' && row.family == textAt(family, "family");
+         });
 }
 
 Cells ourRow(const Json& f) {

@@ -18,7 +18,7 @@ Json storedResult(const ChildRun& run) {
   return json;
 }
 
-bool hasFailed(const Json& result) { return textAt(result, "status") == "failed"; }
+bool wasCutShort(const Json& result) { return result.value("cut_short", false); }
 
 Json runInChild(const ChildRun& run, const std::function<void()>& waiting) {
   std::filesystem::remove(run.result_file);
@@ -28,6 +28,7 @@ Json runInChild(const ChildRun& run, const std::function<void()>& waiting) {
   if (result.is_null()) {
     result = failedRun(
         run.described, "failed", end.succeeded ? "left no result of these files" : end.reason);
+    result["cut_short"] = true;
     writeText(run.result_file, documentText(result));
   }
   return result;

@@ -18,12 +18,12 @@ struct ChildRun {
   double time_limit = 0;
 };
 
-/// The stored result, perhaps that it failed; null where there is none, it is damaged or is of
-/// another run.
+/// The stored result, perhaps of a run that was cut short; null where there is none, it is damaged
+/// or is of another run.
 Json storedResult(const ChildRun& run);
 
-/// Whether the result says that the run crashed or took too long: then it may come out otherwise.
-bool hasFailed(const Json& result);
+/// Whether the run crashed or took too long: it may come out otherwise another time.
+bool wasCutShort(const Json& result);
 
 /// Runs it, whatever is stored. A run that crashes or takes too long has a result that says so.
 Json runInChild(const ChildRun& run, const std::function<void()>& waiting);

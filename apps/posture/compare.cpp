@@ -117,7 +117,7 @@ void compare(const CompareOptions& options, const Common& common) {
     Json result = storedResult(child);
     if (isAsked(run, options)) {
       progress.begin(run.pair.id + " " + run.variation + " " + run.method);
-      if (options.fresh || result.is_null() || hasFailed(result)) {
+      if (options.fresh || result.is_null() || wasCutShort(result)) {
         result = runInChild(child, [&] { progress.wait(); });
         progress.end(result);
       }

@@ -118,12 +118,15 @@ std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationR
 void removeResultFiles(const fs::path& folder, const std::vector<fs::path>& except) {
   removeFrom(folder, "report.json", except);  // first: without it the folder is no result
   removeFrom(folder, "report.html", except);
-  for (const fs::path& name : namesIn(folder, isResultFile)) removeFrom(folder, name, except);
+  const bool of_segment = fs::exists(folder / "segments.json");
+  for (const fs::path& name : namesIn(folder, isResultFile))
+    if (name != "segments.ply" || !of_segment) removeFrom(folder, name, except);
 }
 
 void removeSegmentFiles(const fs::path& folder, const std::vector<fs::path>& except) {
-  if (fs::exists(folder / "segments.json")) removeFrom(folder, "segments.ply", except);  // its own
-  removeFrom(folder, "segments.json", except);
+  const bool of_register = fs::exists(folder / "report.json");
+  removeFrom(folder, "segments.json", except);  // first: without it the folder is no result
+  if (!of_register) removeFrom(folder, "segments.ply", except);
   for (const fs::path& name : namesIn(folder, isSegmentFile)) removeFrom(folder, name, except);
 }
 

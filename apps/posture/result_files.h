@@ -31,7 +31,8 @@ void writeResultFiles(const std::filesystem::path& folder,
 void removeResultFiles(const std::filesystem::path& folder,
                        const std::vector<std::filesystem::path>& except);
 
-/// The same for what `segment` wrote; segments.ply only where it is not `register`'s.
+/// The same for what `segment` wrote, segments.json first. Both verbs write a segments.ply: where
+/// the other's result is there, it is left.
 void removeSegmentFiles(const std::filesystem::path& folder,
                         const std::vector<std::filesystem::path>& except);
 

@@ -58,12 +58,11 @@ class Segment : public testing::Test {
     folder_ = std::make_unique<TemporaryFolder>();
     writeMesh(at("rest.ply"), body(0).mesh);
     writeMesh(at("pose.off"), body(2).mesh);
-    // An earlier result, of more poses.
+    // What a run of more poses left that was killed before it wrote segments.json.
     fs::create_directory(at("mesh"));
-    std::ofstream(at("mesh") + "/segments.json")
-        << R"({"poses": [{}, {"colored": "pose-2_segments.ply"}, {"colored": "../rest.ply"}]})";
     std::ofstream(at("mesh") + "/pose-2_segments.ply") << "ply\n";
-    std::ofstream(at("mesh") + "/notes.txt") << "mine\n";
+    for (const char* mine : {"/notes.txt", "/pose-2.ply", "/pose-x_segments.ply"})
+      std::ofstream(at("mesh") + mine) << "mine\n";
     of_mesh_ =
         test::run(POSTURE, {"segment", at("rest.ply"), at("pose.off"), "-o", at("mesh"), "--json"});
   }
@@ -93,8 +92,8 @@ TEST_F(Segment, givesEveryVertexAPartAndEveryPartItsMotion) {
 TEST_F(Segment, leavesNothingOfAnEarlierResult) {
   EXPECT_FALSE(fs::exists(at("mesh") + "/pose-2_segments.ply"));
   EXPECT_TRUE(fs::exists(at("mesh") + "/pose-1_segments.ply"));
-  EXPECT_TRUE(fs::exists(at("mesh") + "/notes.txt"));
-  EXPECT_TRUE(fs::exists(at("rest.ply")));
+  for (const char* mine : {"/notes.txt", "/pose-2.ply", "/pose-x_segments.ply"})
+    EXPECT_TRUE(fs::exists(at("mesh") + mine)) << mine;
 }
 
 TEST_F(Segment, itsMotionsTakeThePartsToThePose) {
