@@ -17,13 +17,8 @@
 
 namespace {
 
-/// One line on stderr, whatever line breaks the message has.
 int fail(const char* message, int exit_code) noexcept {
-  std::fputs("posture: ", stderr);
-  for (const char* c = message; *c != '\0'; ++c)
-    std::fputc(*c == '\n' || *c == '\r' ? ' ' : *c, stderr);
-  std::fputc('\n', stderr);
-  return exit_code;
+  return posture::app::fail("posture", message, exit_code);
 }
 
 /// What is wrong with the arguments, and where to look them up.

@@ -2,21 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <posture/scan/reconstruct.h>
-
 #include <CLI/CLI.hpp>
 
-#include <map>
+#include "common/surface_methods.h"
 #include <string>
 
 namespace posture::app {
-
-/// As the user names them.
-inline const std::map<std::string, SurfaceMethod> SURFACE_METHODS = {
-    {"delaunay", SurfaceMethod::TANGENT_DELAUNAY},
-    {"mls", SurfaceMethod::MLS},
-    {"poisson", SurfaceMethod::POISSON},
-    {"greedy", SurfaceMethod::GREEDY}};
 
 inline std::string nameOf(SurfaceMethod method) {
   for (const auto& [name, value] : SURFACE_METHODS)

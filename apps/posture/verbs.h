@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "common/exit.h"
+
 namespace posture::app {
 
 /// What every verb takes and gives back.
@@ -14,10 +16,6 @@ struct Common {
   unsigned long seed = 1;
   int exit_code = 0;
 };
-
-inline constexpr int EXIT_UNDECIDED = 1;
-inline constexpr int EXIT_USAGE = 2;
-inline constexpr int EXIT_INPUT = 3;
 
 /// Each adds its verb to `app`; the verb's callback does the work and sets common.exit_code.
 void addRegister(CLI::App& app, Common& common);

@@ -10,6 +10,7 @@
 #include <vtkObject.h>
 
 #include "common/endings.h"
+#include "common/exit.h"
 #include "common/in_range.h"
 #include "display.h"
 #include "sheet.h"
@@ -22,11 +23,10 @@
 
 namespace {
 
+using posture::app::EXIT_INPUT;
+using posture::app::EXIT_USAGE;
 using posture::app::inRange;
 using posture::render::SheetOptions;
-
-constexpr int EXIT_USAGE = 2;
-constexpr int EXIT_INPUT = 3;
 
 struct Arguments {
   SheetOptions sheet;
@@ -39,13 +39,8 @@ struct Arguments {
   unsigned long seed = 0;
 };
 
-/// One line on stderr, whatever line breaks the message has.
 int fail(const char* message, int exit_code) noexcept {
-  std::fputs("posture render: ", stderr);
-  for (; *message != '\0'; ++message)
-    std::fputc(*message == '\n' || *message == '\r' ? ' ' : *message, stderr);
-  std::fputc('\n', stderr);
-  return exit_code;
+  return posture::app::fail("posture render", message, exit_code);
 }
 
 /// Empty when `text` is WIDTHxHEIGHT, each 32 to 4096.

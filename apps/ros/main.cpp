@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 
+#include "common/exit.h"
 #include "registration_node.h"
 #include <cstdio>
 #include <exception>
@@ -10,12 +11,11 @@
 
 namespace {
 
-constexpr int EXIT_USAGE = 2;  // as the command
-constexpr int EXIT_INPUT = 3;
+using posture::app::EXIT_INPUT;
+using posture::app::EXIT_USAGE;
 
-int fail(const char* message, int exit_code) {
-  std::fprintf(stderr, "posture_node: %s\n", message);
-  return exit_code;
+int fail(const char* message, int exit_code) noexcept {
+  return posture::app::fail("posture_node", message, exit_code);
 }
 
 int run() {

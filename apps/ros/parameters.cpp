@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parameters.h"
 
+#include "common/surface_methods.h"
 #include <map>
 #include <stdexcept>
 
@@ -53,13 +54,7 @@ Parameters parametersFrom(XmlRpcValue given) {
       parameters.registration.method =
           oneOf<Method>(name, value, {{"refined", Method::REFINED}, {"paper", Method::PAPER}});
     else if (name == "surface")
-      parameters.registration.surface =
-          oneOf<SurfaceMethod>(name,
-                               value,
-                               {{"delaunay", SurfaceMethod::TANGENT_DELAUNAY},
-                                {"mls", SurfaceMethod::MLS},
-                                {"poisson", SurfaceMethod::POISSON},
-                                {"greedy", SurfaceMethod::GREEDY}});
+      parameters.registration.surface = oneOf<SurfaceMethod>(name, value, SURFACE_METHODS);
     else
       throw std::invalid_argument("parameter ~" + name + " is not known");
   }
