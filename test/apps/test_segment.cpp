@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
@@ -148,6 +149,10 @@ TEST_F(Segment, coloursPartsOnBothBodies) {
 
 TEST_F(Segment, leavesOutWhatIsNotTheSameBody) {
   writeMesh(at("ball.ply"), test::sphere(3));
+  // A result of `register`, whose segments.ply is not of an earlier `segment`.
+  fs::create_directory(at("none"));
+  for (const char* file : {"none/report.json", "none/segments.ply"})
+    std::ofstream(at(file)) << "of register\n";
   const ProgramRun ended =
       test::run(POSTURE, {"segment", at("rest.ply"), at("ball.ply"), "-o", at("none"), "--json"});
   EXPECT_EQ(ended.exit_code, 1);
@@ -156,7 +161,9 @@ TEST_F(Segment, leavesOutWhatIsNotTheSameBody) {
   const json said = json::parse(ended.out);
   EXPECT_EQ(said.at("count"), 0);
   EXPECT_EQ(said.at("left_out")[0].at("file"), at("ball.ply"));
-  EXPECT_TRUE(fs::is_empty(at("none")));
+  for (const char* file : {"none/report.json", "none/segments.ply"})
+    EXPECT_EQ(test::bytesOf(at(file)), "of register\n") << file;
+  EXPECT_EQ(std::distance(fs::directory_iterator(at("none")), {}), 2) << "nothing is written";
 }
 
 TEST_F(Segment, labelsThePointsOfACloud) {

@@ -22,7 +22,7 @@ namespace {
 /// What has more of the surface within reach is no limb.
 constexpr double LARGEST_SHARE = 0.4;
 
-/// Of each of SETTLING: enough to tell turns apart.
+/// Of each of SETTLING, where a limb settles for a short while.
 constexpr int ROUNDS = 4;
 
 /// Normals count so much more while the surfaces do not lie on each other yet.
