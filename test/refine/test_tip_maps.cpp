@@ -106,6 +106,20 @@ TEST(TipMaps, findsAPartnerForMostWhereALimbIsMissing) {
     EXPECT_GT(b.out(maps.front().forward[a.tips()[k]], k < 2 ? k : k + 1), 0.25) << k;
 }
 
+TEST(MapBetweenLandmarks, takesWhatLiesBetweenThemToWhatLiesAlike) {
+  const StickFigure a(0.5, LIMBS), b(0.65, LIMBS);
+  const SampledShape shape_a = a.shape(), shape_b = b.shape();
+  const SampleMap map = mapBetweenLandmarks(shape_a,
+                                            shape_a.distances(Eigen::all, a.tips()),
+                                            shape_b,
+                                            shape_b.distances(Eigen::all, b.tips()));
+  for (std::size_t k = 0; k < LIMBS.size(); ++k) {
+    EXPECT_NEAR(b.out(map.forward[a.tips()[k]], k), LIMBS[k].length, 0.05) << k;
+    EXPECT_NEAR(a.out(map.backward[b.tips()[k]], k), LIMBS[k].length, 0.05) << k;
+  }
+  EXPECT_GT(map.distortion, 0);
+}
+
 TEST(TipMaps, saysNothingOfBodiesWithoutLimbs) {
   const StickFigure rod(1, {});
   EXPECT_TRUE(tipMaps(rod.shape(), rod.shape(), 4).empty());

@@ -7,6 +7,7 @@
 #include "answers.h"
 #include "attempts.h"
 #include "changed_finalists.h"
+#include "end_maps.h"
 #include "refined_result.h"
 #include "verdict.h"
 #include <utility>
@@ -94,6 +95,14 @@ std::optional<std::vector<Finalist>> findFinalists(const PosedSide& source_side,
                                            target_samples,
                                            tipMaps(source_samples, target_samples, MOST_TIP_MAPS)));
       bendFurther(source, target, finalists);
+      exchangeParts(source, target, gap, finalists);
+      const std::vector<SampleMap> maps =
+          endMaps(source_side.shape, target_side.shape, source, target, finalists, distinct());
+      if (maps.empty()) return;
+      std::vector<Finalist> unturned =
+          registerFinalists(source, target, source_samples, target_samples, maps);
+      bendFurther(source, target, unturned);
+      finalists = joined(std::move(finalists), std::move(unturned));
       exchangeParts(source, target, gap, finalists);
     });
     lookAgain();

@@ -9,6 +9,7 @@
 #include <Eigen/SVD>
 
 #include "belief.h"
+#include "even_rotations.h"
 #include "functional_map.h"
 #include "grouped_nearest.h"
 #include "joint_nearest.h"
@@ -60,20 +61,6 @@ std::vector<int> spreadVertices(const Points& vertices) {
     spread.push_back(next);
   }
   return spread;
-}
-
-/// Rotations spread evenly (super-Fibonacci spirals, Alexa 2022).
-std::vector<Eigen::Matrix3d> evenRotations(int count) {
-  constexpr double PHI = 1.414213562373095, PSI = 1.533751168755204, TWO_PI = 6.283185307179586;
-  std::vector<Eigen::Matrix3d> rotations;
-  for (int i = 0; i < count; ++i) {
-    const double s = i + 0.5, r = std::sqrt(s / count), rest = std::sqrt(1 - s / count);
-    const double alpha = TWO_PI * s / PHI, beta = TWO_PI * s / PSI;
-    const Eigen::Quaterniond q(
-        r * std::sin(alpha), r * std::cos(alpha), rest * std::sin(beta), rest * std::cos(beta));
-    rotations.push_back(q.normalized().toRotationMatrix());
-  }
-  return rotations;
 }
 
 struct Laying {

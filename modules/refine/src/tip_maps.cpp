@@ -152,9 +152,7 @@ bool isPartOf(const TipMatch& part, const TipMatch& whole) {
   return found == part.pairs.size();
 }
 
-/// For each sample the one of the other shape that lies most alike between the tips. What is near
-/// a tip says more: limbs keep their lengths, trunks do not.
-std::vector<int> nearestBetweenTips(const Matrix& from, const Matrix& to) {
+std::vector<int> nearestRows(const Matrix& from, const Matrix& to) {
   std::vector<int> nearest(from.rows());
   for (int i = 0; i < from.rows(); ++i) {
     Eigen::Index best = 0;
@@ -165,19 +163,12 @@ std::vector<int> nearestBetweenTips(const Matrix& from, const Matrix& to) {
 }
 
 SampleMap mapOf(const TipMatch& match, const SampledShape& a, const SampledShape& b) {
-  const double spacing = std::max(a.spacing, b.spacing);
-  const auto nearness = [spacing](const SampledShape& shape, const std::vector<int>& tips) {
-    return Matrix((shape.distances(Eigen::all, tips).array() + spacing).rsqrt());
-  };
   std::vector<int> of_a, of_b;
   for (auto [p, q] : match.pairs) {
     of_a.push_back(p);
     of_b.push_back(q);
   }
-  const Matrix near_a = nearness(a, of_a), near_b = nearness(b, of_b);
-  SampleMap map{nearestBetweenTips(near_a, near_b), nearestBetweenTips(near_b, near_a), 0};
-  map.distortion = distortion(a, b, map);
-  return map;
+  return mapBetweenLandmarks(a, a.distances(Eigen::all, of_a), b, b.distances(Eigen::all, of_b));
 }
 
 }  // namespace
@@ -210,6 +201,19 @@ std::vector<SampleMap> tipMaps(const SampledShape& a, const SampledShape& b, int
   std::vector<SampleMap> maps(matches.size());
   parallelFor(static_cast<int>(maps.size()), [&](int i) { maps[i] = mapOf(matches[i], a, b); });
   return maps;
+}
+
+SampleMap mapBetweenLandmarks(const SampledShape& a,
+                              const Matrix& from_a,
+                              const SampledShape& b,
+                              const Matrix& from_b) {
+  // What is near a landmark says more: limbs keep their lengths, trunks do not.
+  const double spacing = std::max(a.spacing, b.spacing);
+  const Matrix near_a = (from_a.array() + spacing).rsqrt(),
+               near_b = (from_b.array() + spacing).rsqrt();
+  SampleMap map{nearestRows(near_a, near_b), nearestRows(near_b, near_a), 0};
+  map.distortion = distortion(a, b, map);
+  return map;
 }
 
 }  // namespace posture

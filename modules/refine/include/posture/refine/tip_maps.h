@@ -22,4 +22,12 @@ std::vector<int> tipsOf(const SampledShape& shape);
 /// \pre  both in one unit, about the square roots of their areas.
 std::vector<SampleMap> tipMaps(const SampledShape& a, const SampledShape& b, int most);
 
+/// The map that takes each sample to the one that lies most alike between landmarks.
+/// \param from_a, from_b  samples x landmarks: geodesic distances, the landmarks of both shapes in
+///        one order.
+SampleMap mapBetweenLandmarks(const SampledShape& a,
+                              const Matrix& from_a,
+                              const SampledShape& b,
+                              const Matrix& from_b);
+
 }  // namespace posture
