@@ -106,10 +106,10 @@ TEST(TipMaps, findsAPartnerForMostWhereALimbIsMissing) {
     EXPECT_GT(b.out(maps.front().forward[a.tips()[k]], k < 2 ? k : k + 1), 0.25) << k;
 }
 
-TEST(MapBetweenLandmarks, takesWhatLiesBetweenThemToWhatLiesAlike) {
+TEST(MapBetweenPlaces, takesWhatLiesBetweenThemToWhatLiesAlike) {
   const StickFigure a(0.5, LIMBS), b(0.65, LIMBS);
   const SampledShape shape_a = a.shape(), shape_b = b.shape();
-  const SampleMap map = mapBetweenLandmarks(shape_a,
+  const SampleMap map = mapBetweenPlaces(shape_a,
                                             shape_a.distances(Eigen::all, a.tips()),
                                             shape_b,
                                             shape_b.distances(Eigen::all, b.tips()));

@@ -13,31 +13,34 @@ namespace {
 /// So many different finalists are looked at.
 constexpr std::size_t MOST_LOOKED_AT = 4;
 
+/// So many ends of limbs tell where the rest of a body is.
+constexpr std::size_t FEWEST_ENDS = 4;
+
 /// Vertices of `work` on the coarse mesh.
 std::vector<int> onCoarse(const RefinedShape& shape, std::vector<int> vertices) {
   for (int& v : vertices) v = shape.coarse.nearest[v];
   return vertices;
 }
 
-/// Samples x landmarks, geodesic.
+/// Geodesic, samples x known places.
 template <class Side>
 Matrix distancesFrom(const SpectralSurface& surface,
                      const std::vector<int>& samples,
-                     const std::vector<Landmark>& landmarks,
+                     const std::vector<PlacePair>& known,
                      const Side& side) {
-  Matrix distances(samples.size(), landmarks.size());
-  for (std::size_t k = 0; k < landmarks.size(); ++k) {
-    const std::vector<double>& from_it = surface.distances.from(side(landmarks[k]));
+  Matrix distances(samples.size(), known.size());
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    const std::vector<double>& from_it = surface.distances.from(side(known[k]));
     for (std::size_t i = 0; i < samples.size(); ++i) distances(i, k) = from_it[samples[i]];
   }
   return distances;
 }
 
 /// The tips that are in none of the ends.
-std::vector<Landmark> otherTips(const std::vector<int>& tips,
-                                const std::vector<RigidEnd>& ends,
-                                const VertexMaps& maps) {
-  std::vector<Landmark> others;
+std::vector<PlacePair> otherTips(const std::vector<int>& tips,
+                                 const std::vector<RigidEnd>& ends,
+                                 const VertexMaps& maps) {
+  std::vector<PlacePair> others;
   for (int tip : tips)
     if (std::none_of(ends.begin(), ends.end(), [&](const RigidEnd& end) {
           return std::find(end.vertices.begin(), end.vertices.end(), tip) != end.vertices.end();
@@ -63,14 +66,15 @@ std::vector<SampleMap> endMaps(const RefinedShape& source_shape,
     const std::vector<RigidEnd> ends = rigidEnds(source, target, tips, maps);
     if (std::none_of(ends.begin(), ends.end(), [](const RigidEnd& end) { return end.turned; }))
       continue;
-    std::vector<Landmark> landmarks = otherTips(tips, ends, maps);
+    std::vector<PlacePair> known = otherTips(tips, ends, maps);
+    if (known.size() + ends.size() < FEWEST_ENDS) continue;
     for (const RigidEnd& end : ends)
-      landmarks.insert(landmarks.end(), end.landmarks.begin(), end.landmarks.end());
-    found.push_back(mapBetweenLandmarks(
+      known.insert(known.end(), end.places.begin(), end.places.end());
+    found.push_back(mapBetweenPlaces(
         source_shape.samples,
-        distancesFrom(source, source_samples, landmarks, [](const Landmark& l) { return l.a; }),
+        distancesFrom(source, source_samples, known, [](const PlacePair& l) { return l.a; }),
         target_shape.samples,
-        distancesFrom(target, target_samples, landmarks, [](const Landmark& l) { return l.b; })));
+        distancesFrom(target, target_samples, known, [](const PlacePair& l) { return l.b; })));
   }
   return found;
 }

@@ -6,6 +6,7 @@
 
 #include "answers.h"
 #include "attempts.h"
+#include "by_score.h"
 #include "changed_finalists.h"
 #include "end_maps.h"
 #include "refined_result.h"
@@ -99,11 +100,15 @@ std::optional<std::vector<Finalist>> findFinalists(const PosedSide& source_side,
       const std::vector<SampleMap> maps =
           endMaps(source_side.shape, target_side.shape, source, target, finalists, distinct());
       if (maps.empty()) return;
-      std::vector<Finalist> unturned =
+      // Parts are exchanged with the best one before alone: with the others they have been.
+      std::vector<Finalist> ends_right =
           registerFinalists(source, target, source_samples, target_samples, maps);
-      bendFurther(source, target, unturned);
-      finalists = joined(std::move(finalists), std::move(unturned));
-      exchangeParts(source, target, gap, finalists);
+      bendFurther(source, target, ends_right);
+      ends_right.push_back(std::move(finalists.front()));
+      finalists.erase(finalists.begin());
+      sortByScore(ends_right);
+      exchangeParts(source, target, gap, ends_right);
+      finalists = joined(std::move(finalists), std::move(ends_right));
     });
     lookAgain();
     if (known_stands) return std::nullopt;

@@ -9,10 +9,10 @@
 #include <Eigen/SVD>
 
 #include "belief.h"
+#include "closest_pairs.h"
 #include "even_rotations.h"
 #include "functional_map.h"
 #include "grouped_nearest.h"
-#include "joint_nearest.h"
 #include <algorithm>
 #include <cmath>
 
@@ -68,32 +68,9 @@ struct Laying {
   double cost = 0;  ///< mean distance
 };
 
-struct Pairing {
-  int a, b;
-  double squared;
-};
-
-std::vector<Pairing> nearestPairs(const SurfacePlaces& a,
-                                  const SurfacePlaces& b,
-                                  const Similarity& way) {
-  const Points places = way.of(a.places), normals = a.normals * way.rotation.transpose();
-  Block fa(a.places.rows(), 6), fb(b.places.rows(), 6);
-  fa << places.cast<float>(), (NORMAL_LENGTH * normals).cast<float>();
-  fb << b.places.cast<float>(), (NORMAL_LENGTH * b.normals).cast<float>();
-  std::vector<int> forward, backward;
-  nearestBothWays(fa, fb, forward, backward);
-  std::vector<Pairing> pairs;
-  const auto add = [&](int i, int j) {
-    pairs.push_back({i, j, static_cast<double>((fa.row(i) - fb.row(j)).squaredNorm())});
-  };
-  for (std::size_t i = 0; i < forward.size(); ++i) add(static_cast<int>(i), forward[i]);
-  for (std::size_t j = 0; j < backward.size(); ++j) add(backward[j], static_cast<int>(j));
-  return pairs;
-}
-
-double medianSquared(const std::vector<Pairing>& pairs) {
+double medianSquared(const std::vector<ClosestPair>& pairs) {
   std::vector<double> squared;
-  for (const Pairing& p : pairs) squared.push_back(p.squared);
+  for (const ClosestPair& p : pairs) squared.push_back(p.squared);
   return std::max(median(std::move(squared)), 1e-12);
 }
 
@@ -101,7 +78,7 @@ double medianSquared(const std::vector<Pairing>& pairs) {
 /// both directions alike, so that matching to what is nearest does not shrink.
 Similarity bestSimilarity(const SurfacePlaces& a,
                           const SurfacePlaces& b,
-                          const std::vector<Pairing>& pairs,
+                          const std::vector<ClosestPair>& pairs,
                           const Vector& weight,
                           bool scaled,
                           double scale) {
@@ -134,7 +111,11 @@ Similarity bestSimilarity(const SurfacePlaces& a,
 void closestPoints(
     const SurfacePlaces& a, const SurfacePlaces& b, int steps, bool scaled, Laying& laying) {
   for (int step = 0; step < steps; ++step) {
-    const std::vector<Pairing> pairs = nearestPairs(a, b, laying.way);
+    const std::vector<ClosestPair> pairs = closestPairs(laying.way.of(a.places),
+                                                        a.normals * laying.way.rotation.transpose(),
+                                                        b.places,
+                                                        b.normals,
+                                                        NORMAL_LENGTH);
     const double usual = medianSquared(pairs);
     Vector weight(pairs.size());
     laying.cost = 0;

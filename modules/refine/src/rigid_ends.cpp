@@ -6,12 +6,13 @@
 
 #include <Eigen/Geometry>
 
+#include "closest_pairs.h"
 #include "even_rotations.h"
-#include "joint_nearest.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace posture {
 namespace {
@@ -20,30 +21,38 @@ namespace {
 constexpr double TIP_REACH = 0.25;
 
 /// An end: a head, a hand, a foot; and by how much more of the other surface it may lie on.
-constexpr double END = 0.1, MARGIN = 0.1;
+constexpr double RADIUS = 0.1, MARGIN = 0.1;
 
-/// Vertices of an end that tell a motion.
+/// Vertices of an end that tell a motion; whether they tell it well is seen by the other ways.
 constexpr std::size_t FEWEST = 20;
 
 /// Places from which the mean distance is taken.
 constexpr int PLACES = 80;
 
 /// A normal turned by 90 degrees counts as much as a distance of 0.07.
-constexpr float NORMAL_LENGTH = 0.05f;
+constexpr double NORMAL_LENGTH = 0.05;
 
 /// Of the distances the largest fifth does not count: what lies at the cut.
 constexpr double TRIMMED = 0.8;
 
-constexpr int TURNS = 72, STEPS = 20;
+constexpr int TURNS = 72, MOST_STEPS = 20;
+
+/// A step that changes the misfit by less is the last.
+constexpr double AT_REST = 1e-3;
 
 /// Motions that turn by less from each other are one.
 constexpr double SAME_TURN = M_PI / 6;
 
-/// Of the misfit in the next best way, or in that of the map: a head that fits has 0.2 to 0.4,
-/// other ends 0.6 and more.
+/// Of the misfit in the next best way: a cat's head that fits has 0.34 to 0.40, other ends 0.6 and
+/// more.
 constexpr double CLEARLY_BETTER = 0.5;
 
-constexpr std::size_t LANDMARKS = 5;
+/// Of the mean squared edge, the misfit that says something: twice that of a surface on itself with
+/// its vertices elsewhere (the second moment of a hexagon's places). A round end has less in many
+/// ways.
+constexpr double SAMPLING = 0.28;
+
+constexpr std::size_t PLACES_ON_END = 5;
 
 /// Mean geodesic distance from places all over the surface. The first vertices are spread evenly.
 Vector remoteness(const SpectralSurface& surface) {
@@ -56,10 +65,11 @@ Vector remoteness(const SpectralSurface& surface) {
 
 /// The end of a limb and what is around it.
 struct End {
-  std::vector<int> wide;     // vertices within END + MARGIN
-  std::vector<char> inside;  // for each of them, whether it is within END
+  std::vector<int> wide;     // vertices within RADIUS + MARGIN
+  std::vector<char> inside;  // for each of them, whether it is within RADIUS
   Points places, normals;    // of `wide`
   std::size_t size = 0;      // of the end
+  double squared_edge = 0;   // mean, of the end
 };
 
 End endAt(const SpectralSurface& surface, const Vector& remote, int tip) {
@@ -78,27 +88,29 @@ End endAt(const SpectralSurface& surface, const Vector& remote, int tip) {
       distance[v] = std::min(distance[v], from_it[v]);
   }
   End end;
+  std::vector<int> inside;
   for (int v = 0; v < remote.size(); ++v) {
-    if (!(distance[v] < END + MARGIN)) continue;
+    if (!(distance[v] < RADIUS + MARGIN)) continue;
     end.wide.push_back(v);
-    end.inside.push_back(distance[v] < END);
-    if (end.inside.back()) ++end.size;
+    end.inside.push_back(distance[v] < RADIUS);
+    if (end.inside.back()) inside.push_back(v);
   }
+  end.size = inside.size();
+  double sum = 0, edges = 0;
+  for (int v : inside)
+    for (const int* w = surface.neighbors.begin(v); w != surface.neighbors.end(v); ++w, ++edges)
+      sum += (surface.mesh.vertices.row(v) - surface.mesh.vertices.row(*w)).squaredNorm();
+  end.squared_edge = sum / edges;
   end.places = surface.mesh.vertices(end.wide, Eigen::all);
   end.normals = surface.normals(end.wide, Eigen::all);
   return end;
 }
 
-/// Rows of two ends that lie next to each other.
-struct Pairing {
-  int a, b;
-  float squared;
-};
-
 /// An end laid on another one.
 struct Laid {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   double misfit = std::numeric_limits<double>::infinity();
+  std::vector<ClosestPair> pairs;  // rows of both, without the farthest
 
   bool operator<(const Laid& other) const { return misfit < other.misfit; }
 };
@@ -107,60 +119,45 @@ double angleBetween(const Laid& x, const Laid& y) {
   return Eigen::AngleAxisd(x.motion.linear() * y.motion.linear().transpose()).angle();
 }
 
-class EndPair {
- public:
-  EndPair(const End& a, const End& b) : a_(a), b_(b), of_b_(b.places.rows(), 6) {
-    of_b_ << b.places.cast<float>(), NORMAL_LENGTH * b.normals.cast<float>();
-  }
+/// What each vertex of either end is next to around the other one, without the farthest.
+std::vector<ClosestPair> pairsOf(const End& a, const End& b, const Eigen::Isometry3d& motion) {
+  const Eigen::Matrix3d back = motion.linear().transpose();
+  const std::vector<ClosestPair> all =
+      closestPairs((a.places * back).rowwise() + motion.translation().transpose(),
+                   a.normals * back,
+                   b.places,
+                   b.normals,
+                   NORMAL_LENGTH);
+  std::vector<ClosestPair> pairs;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (k < a.wide.size() ? a.inside[all[k].a] : b.inside[all[k].b]) pairs.push_back(all[k]);
+  std::stable_sort(pairs.begin(), pairs.end(), [](const ClosestPair& x, const ClosestPair& y) {
+    return x.squared < y.squared;
+  });
+  pairs.resize(static_cast<std::size_t>(TRIMMED * static_cast<double>(pairs.size())));
+  return pairs;
+}
 
-  void layCloser(Laid& laid) const {
-    for (int step = 0; step < STEPS; ++step) {
-      const std::vector<Pairing> pairs = nearestPairs(laid.motion);
-      Points from(pairs.size(), 3), to(pairs.size(), 3);
-      for (std::size_t i = 0; i < pairs.size(); ++i) {
-        from.row(i) = a_.places.row(pairs[i].a);
-        to.row(i) = b_.places.row(pairs[i].b);
-      }
-      laid.motion = rigidMotion(from, to);
-    }
-    laid.misfit = misfit(laid.motion);
-  }
-
-  double misfit(const Eigen::Isometry3d& motion) const {
+void layCloser(const End& a, const End& b, Laid& laid) {
+  const auto meanOf = [](const std::vector<ClosestPair>& pairs) {
     double sum = 0;
-    const std::vector<Pairing> pairs = nearestPairs(motion);
-    for (const Pairing& pair : pairs) sum += pair.squared;
+    for (const ClosestPair& pair : pairs) sum += pair.squared;
     return sum / static_cast<double>(pairs.size());
+  };
+  laid.pairs = pairsOf(a, b, laid.motion);
+  laid.misfit = meanOf(laid.pairs);
+  for (int step = 0; step < MOST_STEPS; ++step) {
+    Points from(laid.pairs.size(), 3), to(laid.pairs.size(), 3);
+    for (std::size_t i = 0; i < laid.pairs.size(); ++i) {
+      from.row(i) = a.places.row(laid.pairs[i].a);
+      to.row(i) = b.places.row(laid.pairs[i].b);
+    }
+    laid.motion = rigidMotion(from, to);
+    laid.pairs = pairsOf(a, b, laid.motion);
+    const double before = std::exchange(laid.misfit, meanOf(laid.pairs));
+    if (std::abs(laid.misfit - before) < AT_REST * before) break;
   }
-
- private:
-  /// What each vertex of either end is next to around the other one, without the farthest.
-  std::vector<Pairing> nearestPairs(const Eigen::Isometry3d& motion) const {
-    Eigen::MatrixXf of_a(a_.places.rows(), 6);
-    const Points places =
-        (a_.places * motion.linear().transpose()).rowwise() + motion.translation().transpose();
-    const Points normals = a_.normals * motion.linear().transpose();
-    of_a << places.cast<float>(), NORMAL_LENGTH * normals.cast<float>();
-    std::vector<int> forward, backward;
-    nearestBothWays(of_a, of_b_, forward, backward);
-    std::vector<Pairing> pairs;
-    const auto add = [&](int i, int j) {
-      pairs.push_back({i, j, (of_a.row(i) - of_b_.row(j)).squaredNorm()});
-    };
-    for (std::size_t i = 0; i < forward.size(); ++i)
-      if (a_.inside[i]) add(static_cast<int>(i), forward[i]);
-    for (std::size_t j = 0; j < backward.size(); ++j)
-      if (b_.inside[j]) add(backward[j], static_cast<int>(j));
-    std::stable_sort(pairs.begin(), pairs.end(), [](const Pairing& x, const Pairing& y) {
-      return x.squared < y.squared;
-    });
-    pairs.resize(static_cast<std::size_t>(TRIMMED * static_cast<double>(pairs.size())));
-    return pairs;
-  }
-
-  const End &a_, &b_;
-  Eigen::MatrixXf of_b_;
-};
+}
 
 Eigen::RowVector3d middleOf(const End& end) {
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
@@ -184,42 +181,55 @@ Laid asMapped(const SpectralSurface& b, const End& a, const VertexMaps& maps) {
 }
 
 /// The way that fits clearly better than all others.
-std::optional<Laid> onlyWay(const EndPair& pair, const End& a, const End& b, const Laid& mapped) {
+std::optional<Laid> onlyWay(const End& a, const End& b, const Laid& mapped) {
   const std::vector<Eigen::Matrix3d> turns = evenRotations(TURNS);
   const Eigen::Vector3d middle_a = middleOf(a), middle_b = middleOf(b);
-  std::vector<Laid> ways(turns.size());
+  std::vector<Laid> ways(1 + turns.size());
   parallelFor(static_cast<int>(ways.size()), [&](int i) {
-    ways[i].motion.linear() = turns[i] * mapped.motion.linear();
-    ways[i].motion.translation() = middle_b - ways[i].motion.linear() * middle_a;
-    pair.layCloser(ways[i]);
+    Laid& way = ways[i];
+    if (i == 0) {
+      way.motion = mapped.motion;
+    } else {
+      way.motion.linear() = turns[i - 1] * mapped.motion.linear();
+      way.motion.translation() = middle_b - way.motion.linear() * middle_a;
+    }
+    layCloser(a, b, way);
   });
   const Laid& best = *std::min_element(ways.begin(), ways.end());
+  const double least =
+      std::max(best.misfit / CLEARLY_BETTER, SAMPLING * std::max(a.squared_edge, b.squared_edge));
   for (const Laid& way : ways)
-    if (angleBetween(best, way) > SAME_TURN && !(best.misfit < CLEARLY_BETTER * way.misfit))
-      return std::nullopt;
+    if (angleBetween(best, way) > SAME_TURN && !(way.misfit > least)) return std::nullopt;
   return best;
 }
 
-/// Vertices of an end spread over it, and where the motion takes them.
-std::vector<Landmark> landmarksOn(
+/// Vertices of an end spread over it, from the one nearest to the tip on, and what they lie next
+/// to.
+std::vector<PlacePair> placesOn(
     const SpectralSurface& a, const End& end, const End& other, int tip, const Laid& laid) {
-  std::vector<Landmark> landmarks;
-  Vector distance = Vector::Constant(static_cast<Eigen::Index>(end.wide.size()), 1e9);
-  for (std::size_t i = 0; i < end.wide.size(); ++i)
-    if (!end.inside[i]) distance[i] = 0;
-  for (int next = tip; landmarks.size() < LANDMARKS;) {
-    const Eigen::RowVector3d goal =
-        (laid.motion * Eigen::Vector3d(a.mesh.vertices.row(next))).transpose();
-    Eigen::Index nearest = 0, farthest = 0;
-    (other.places.rowwise() - goal).rowwise().squaredNorm().minCoeff(&nearest);
-    landmarks.push_back({next, other.wide[nearest]});
-    const std::vector<double>& from_it = a.distances.from(next);
-    for (std::size_t i = 0; i < end.wide.size(); ++i)
-      distance[i] = std::min(distance[i], from_it[end.wide[i]]);
-    distance.maxCoeff(&farthest);
-    next = end.wide[farthest];
+  std::vector<PlacePair> partners;
+  for (const ClosestPair& pair : laid.pairs)
+    partners.push_back({end.wide[pair.a], other.wide[pair.b]});
+  const auto nearestTo = [&](int v) {
+    const std::vector<double>& distance = a.distances.from(v);
+    return std::min_element(partners.begin(),
+                            partners.end(),
+                            [&](const PlacePair& x, const PlacePair& y) {
+                              return distance[x.a] < distance[y.a];
+                            }) -
+           partners.begin();
+  };
+  std::vector<PlacePair> places;
+  Vector distance = Vector::Constant(static_cast<Eigen::Index>(partners.size()),
+                                     std::numeric_limits<double>::max());
+  for (Eigen::Index next = nearestTo(tip); places.size() < PLACES_ON_END;) {
+    places.push_back(partners[next]);
+    const std::vector<double>& from_it = a.distances.from(partners[next].a);
+    for (std::size_t i = 0; i < partners.size(); ++i)
+      distance[i] = std::min(distance[i], from_it[partners[i].a]);
+    distance.maxCoeff(&next);
   }
-  return landmarks;
+  return places;
 }
 
 }  // namespace
@@ -239,14 +249,11 @@ std::vector<RigidEnd> rigidEnds(const SpectralSurface& a,
       if (of_a.inside[i]) end.vertices.push_back(of_a.wide[i]);
     for (int v : end.vertices) seen[v] = 1;
     if (std::min(of_a.size, of_b.size) < FEWEST) continue;
-    const EndPair pair(of_a, of_b);
-    Laid mapped = asMapped(b, of_a, maps);
-    mapped.misfit = pair.misfit(mapped.motion);
-    const std::optional<Laid> best = onlyWay(pair, of_a, of_b, mapped);
+    const Laid mapped = asMapped(b, of_a, maps);
+    const std::optional<Laid> best = onlyWay(of_a, of_b, mapped);
     if (!best) continue;
-    end.landmarks = landmarksOn(a, of_a, of_b, tip, *best);
-    end.turned =
-        angleBetween(*best, mapped) > SAME_TURN && best->misfit < CLEARLY_BETTER * mapped.misfit;
+    end.places = placesOn(a, of_a, of_b, tip, *best);
+    end.turned = angleBetween(*best, mapped) > SAME_TURN;
     ends.push_back(std::move(end));
   }
   return ends;

@@ -168,7 +168,7 @@ SampleMap mapOf(const TipMatch& match, const SampledShape& a, const SampledShape
     of_a.push_back(p);
     of_b.push_back(q);
   }
-  return mapBetweenLandmarks(a, a.distances(Eigen::all, of_a), b, b.distances(Eigen::all, of_b));
+  return mapBetweenPlaces(a, a.distances(Eigen::all, of_a), b, b.distances(Eigen::all, of_b));
 }
 
 }  // namespace
@@ -203,11 +203,11 @@ std::vector<SampleMap> tipMaps(const SampledShape& a, const SampledShape& b, int
   return maps;
 }
 
-SampleMap mapBetweenLandmarks(const SampledShape& a,
-                              const Matrix& from_a,
-                              const SampledShape& b,
-                              const Matrix& from_b) {
-  // What is near a landmark says more: limbs keep their lengths, trunks do not.
+SampleMap mapBetweenPlaces(const SampledShape& a,
+                           const Matrix& from_a,
+                           const SampledShape& b,
+                           const Matrix& from_b) {
+  // What is near a known place says more: limbs keep their lengths, trunks do not.
   const double spacing = std::max(a.spacing, b.spacing);
   const Matrix near_a = (from_a.array() + spacing).rsqrt(),
                near_b = (from_b.array() + spacing).rsqrt();

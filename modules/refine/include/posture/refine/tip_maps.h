@@ -22,12 +22,14 @@ std::vector<int> tipsOf(const SampledShape& shape);
 /// \pre  both in one unit, about the square roots of their areas.
 std::vector<SampleMap> tipMaps(const SampledShape& a, const SampledShape& b, int most);
 
-/// The map that takes each sample to the one that lies most alike between landmarks.
-/// \param from_a, from_b  samples x landmarks: geodesic distances, the landmarks of both shapes in
-///        one order.
-SampleMap mapBetweenLandmarks(const SampledShape& a,
-                              const Matrix& from_a,
-                              const SampledShape& b,
-                              const Matrix& from_b);
+/// The map that takes each sample to the one that lies most alike between known places.
+/// \param from_a, from_b  samples x places, at least one: geodesic distances from places that
+/// belong
+///        to each other, in one order.
+/// \pre  both in one unit.
+SampleMap mapBetweenPlaces(const SampledShape& a,
+                           const Matrix& from_a,
+                           const SampledShape& b,
+                           const Matrix& from_b);
 
 }  // namespace posture
