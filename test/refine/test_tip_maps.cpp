@@ -110,9 +110,9 @@ TEST(MapBetweenPlaces, takesWhatLiesBetweenThemToWhatLiesAlike) {
   const StickFigure a(0.5, LIMBS), b(0.65, LIMBS);
   const SampledShape shape_a = a.shape(), shape_b = b.shape();
   const SampleMap map = mapBetweenPlaces(shape_a,
-                                            shape_a.distances(Eigen::all, a.tips()),
-                                            shape_b,
-                                            shape_b.distances(Eigen::all, b.tips()));
+                                         shape_a.distances(Eigen::all, a.tips()),
+                                         shape_b,
+                                         shape_b.distances(Eigen::all, b.tips()));
   for (std::size_t k = 0; k < LIMBS.size(); ++k) {
     EXPECT_NEAR(b.out(map.forward[a.tips()[k]], k), LIMBS[k].length, 0.05) << k;
     EXPECT_NEAR(a.out(map.backward[b.tips()[k]], k), LIMBS[k].length, 0.05) << k;
