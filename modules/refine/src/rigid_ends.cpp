@@ -43,7 +43,7 @@ constexpr double AT_REST = 1e-3;
 /// Motions that turn by less from each other are one.
 constexpr double SAME_TURN = M_PI / 6;
 
-/// Of the misfit in the next best way: a cat's head that fits has 0.34 to 0.40, other ends 0.6 and
+/// Of the misfit in the next best way: heads of cats and horses have 0.3 to 0.4, other ends 0.6 and
 /// more.
 constexpr double CLEARLY_BETTER = 0.5;
 
@@ -203,8 +203,7 @@ std::optional<Laid> onlyWay(const End& a, const End& b, const Laid& mapped) {
   return best;
 }
 
-/// Vertices of an end spread over it, from the one nearest to the tip on, and what they lie next
-/// to.
+/// Vertices spread over an end, the one nearest to the tip first, and what they lie next to.
 std::vector<PlacePair> placesOn(
     const SpectralSurface& a, const End& end, const End& other, int tip, const Laid& laid) {
   std::vector<PlacePair> partners;
