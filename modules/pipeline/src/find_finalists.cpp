@@ -42,6 +42,42 @@ bool confirms(const RegistrationResult* known,
       known->correspondence.on_target, on_target, target.given.input, 1 / target.pose.unit);
 }
 
+/// Finalists, and those that take tips of limbs to tips of limbs; then those that lay ends as they
+/// fit.
+std::vector<Finalist> withTips(const PosedSide& source_side,
+                               const PosedSide& target_side,
+                               const SpectralSurface& source,
+                               const SpectralSurface& target,
+                               double gap,
+                               std::vector<Finalist> finalists) {
+  const SampledShape &source_samples = source_side.shape.samples,
+                     &target_samples = target_side.shape.samples;
+  finalists = joined(std::move(finalists),
+                     registerFinalists(source,
+                                       target,
+                                       source_samples,
+                                       target_samples,
+                                       tipMaps(source_samples, target_samples, MOST_TIP_MAPS)));
+  bendFurther(source, target, finalists);
+  exchangeParts(source, target, gap, finalists);
+  const std::vector<SampleMap> maps = endMaps(source_side.shape,
+                                              target_side.shape,
+                                              source,
+                                              target,
+                                              finalists,
+                                              distinctFinalists(finalists, target.mesh, gap));
+  if (maps.empty()) return finalists;
+  std::vector<Finalist> fitting =
+      registerFinalists(source, target, source_samples, target_samples, maps);
+  bendFurther(source, target, fitting);
+  // Parts are exchanged with the best one before alone: with the others they have been.
+  fitting.push_back(std::move(finalists.front()));
+  finalists.erase(finalists.begin());
+  sortByScore(fitting);
+  exchangeParts(source, target, gap, fitting);
+  return joined(std::move(finalists), std::move(fitting));
+}
+
 }  // namespace
 
 std::vector<Finalist> bentFinalists(const SpectralSurface& source,
@@ -89,26 +125,7 @@ std::optional<std::vector<Finalist>> findFinalists(const PosedSide& source_side,
   // where they lack parts.
   if (!convince() || (may_lack && !confirm_known && !isAllButCertain(finalists, distinct()))) {
     clock.stage("tips", 0.03, [&] {
-      finalists = joined(std::move(finalists),
-                         registerFinalists(source,
-                                           target,
-                                           source_samples,
-                                           target_samples,
-                                           tipMaps(source_samples, target_samples, MOST_TIP_MAPS)));
-      bendFurther(source, target, finalists);
-      exchangeParts(source, target, gap, finalists);
-      const std::vector<SampleMap> maps =
-          endMaps(source_side.shape, target_side.shape, source, target, finalists, distinct());
-      if (maps.empty()) return;
-      // Parts are exchanged with the best one before alone: with the others they have been.
-      std::vector<Finalist> ends_right =
-          registerFinalists(source, target, source_samples, target_samples, maps);
-      bendFurther(source, target, ends_right);
-      ends_right.push_back(std::move(finalists.front()));
-      finalists.erase(finalists.begin());
-      sortByScore(ends_right);
-      exchangeParts(source, target, gap, ends_right);
-      finalists = joined(std::move(finalists), std::move(ends_right));
+      finalists = withTips(source_side, target_side, source, target, gap, std::move(finalists));
     });
     lookAgain();
     if (known_stands) return std::nullopt;

@@ -23,9 +23,8 @@ std::vector<int> tipsOf(const SampledShape& shape);
 std::vector<SampleMap> tipMaps(const SampledShape& a, const SampledShape& b, int most);
 
 /// The map that takes each sample to the one that lies most alike between known places.
-/// \param from_a, from_b  samples x places, at least one: geodesic distances from places that
-/// belong
-///        to each other, in one order.
+/// \param from_a, from_b  samples x places, at least one: geodesic distances from the same places
+///        of both, in one order.
 /// \pre  both in one unit.
 SampleMap mapBetweenPlaces(const SampledShape& a,
                            const Matrix& from_a,
