@@ -5,6 +5,7 @@
 #include "refine/club.h"
 #include "refined_maps.h"
 #include "support/shapes.h"
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -94,6 +95,60 @@ TEST_F(RefinedMaps, whatFitsIsLeftAsItIsThoughASideMayLackParts) {
   EXPECT_EQ(open.pair.maps.forward, whole.pair.maps.forward);
   EXPECT_TRUE(open.pair.apart_a.empty());
   EXPECT_EQ(open.score.total(), whole.score.total());
+}
+
+/// Two hands and a hump between them, on one side of the trunk or, half turned, on the other.
+TriangleMesh humped(double height, bool turned) {
+  TriangleMesh mesh = test::bodyWithTwoHands(3);
+  const double side = turned ? -1 : 1, trunk = 0.1 * mesh.vertices.col(0).maxCoeff();
+  for (auto p : mesh.vertices.rowwise()) {
+    const double off = (p.x() - side * trunk) / trunk;
+    if (side * p.z() > 0) p.z() *= 1 + height * std::exp(-off * off);
+  }
+  return mesh;
+}
+
+/// As they lie, and half turned: thumb on thumb, but each hand on the other one.
+std::vector<Finalist> straightAndTurned(const RefinedShape& source, const RefinedShape& target) {
+  const TriangleMesh &a = source.coarse.mesh, &b = target.coarse.mesh;
+  const auto halfTurned = [](Points places) {
+    places.col(0) *= -1;
+    places.col(2) *= -1;
+    return places;
+  };
+  std::vector<Finalist> finalists(2);
+  finalists[0].maps = {test::nearestOf(a.vertices, b), test::nearestOf(b.vertices, a)};
+  finalists[1].maps = {test::nearestOf(halfTurned(a.vertices), b),
+                       test::nearestOf(halfTurned(b.vertices), a)};
+  return finalists;
+}
+
+TEST(JudgedByEnds, handsTellWhetherABodyIsHalfTurned) {
+  constexpr double HEIGHT = 0.42;  // the hump says one thing, the hands another
+  const RefinedShape source = refinedShape(humped(HEIGHT, false)),
+                     target = refinedShape(humped(HEIGHT, true));
+  const std::vector<Finalist> finalists = straightAndTurned(source, target);
+  const std::vector<RefinedMap> maps =
+      refineFinalists(source, target, false, {&finalists[1], &finalists[0]});
+  EXPECT_EQ(maps.front().finalist, 1);
+  EXPECT_EQ(maps.front().ends, 0);
+  const RefinedMap& turned = *std::find_if(
+      maps.begin(), maps.end(), [](const RefinedMap& map) { return map.finalist == 0; });
+  // By the rest of the body it would be the right one.
+  EXPECT_LT(turned.score.total(), maps.front().score.total());
+  EXPECT_GT(turned.ends, 0.5 * std::log(2));
+}
+
+TEST_F(RefinedMaps, endsThatFittedElsewhereBetterDoNotTurnLimbs) {
+  Finalist finalist;
+  finalist.maps = {test::nearestOf(club_.coarse.mesh.vertices, club_.coarse.mesh),
+                   test::nearestOf(club_.coarse.mesh.vertices, club_.coarse.mesh)};
+  RefinedMap map = refineFinalists(club_, club_, false, {&finalist}).front(), against = map;
+  EXPECT_EQ(map.ends, 0);
+  against.ends = 1;
+  annealMap(club_, club_, false, map);
+  annealMap(club_, club_, false, against);
+  EXPECT_EQ(against.pair.maps.forward, map.pair.maps.forward);
 }
 
 TEST(WorkMeshes, shareABudget) {

@@ -15,23 +15,40 @@
 
 namespace posture::test {
 
-/// A club with a round body, an arm along x and a flat hand at its end, with a thumb on one side
-/// and a palm that is hollow: it fits itself in one way only. Of an area of one.
+/// Where a point of the unit sphere comes to lie on a club: an arm along x, and at its end a flat
+/// hand with a thumb on one side and a palm that is hollow.
+/// \param out  0 on the round body, 1 at the tip.
+inline Eigen::RowVector3d onClub(const Eigen::RowVector3d& p, double out, double thumb) {
+  const double around = std::hypot(p.y(), p.z());
+  const double thin = 1 - 0.7 * std::clamp(out / 0.2, 0.0, 1.0);
+  const double hand = std::clamp((out - 0.7) / 0.1, 0.0, 1.0);
+  const double profile =
+      around > 0 ? thin * (out > 0 ? std::sqrt(1 - out * out) + 0.2 * (1 - out) : around) / around
+                 : 0;
+  double y = p.y() * profile * (1 + 1.2 * hand), z = p.z() * profile * (1 - 0.4 * hand);
+  if (y > 0) y *= 1 + thumb * hand * std::exp(-std::pow((out - 0.82) / 0.06, 2));  // thumb
+  z -= 0.6 * hand * y * y;                                                         // palm
+  return {p.x() + 2.2 * out, y, z};
+}
+
+/// A club that fits itself in one way only. Of an area of one.
 /// \param thumb  its height; clubs with different ones share their numbering.
-inline TriangleMesh clubWithHand(double thumb = 0.8) {
-  TriangleMesh mesh = sphere(4);
+inline TriangleMesh clubWithHand(double thumb = 0.8, int subdivisions = 4) {
+  TriangleMesh mesh = sphere(subdivisions);
+  for (auto p : mesh.vertices.rowwise())
+    p = onClub(p, std::clamp((p.x() + 0.5) / 1.5, 0.0, 1.0), thumb);
+  mesh.vertices /= std::sqrt(faceAreas(mesh).sum());
+  return mesh;
+}
+
+/// A body with a left hand at one end and a right hand at the other. Of an area of one.
+inline TriangleMesh bodyWithTwoHands(double thumb) {
+  TriangleMesh mesh = sphere(5);
   for (auto p : mesh.vertices.rowwise()) {
-    const double x = p.x(), around = std::hypot(p.y(), p.z());
-    const double out = std::clamp((x + 0.5) / 1.5, 0.0, 1.0);  // 0 on the body, 1 at the tip
-    const double thin = 1 - 0.7 * std::clamp(out / 0.2, 0.0, 1.0);
-    const double hand = std::clamp((out - 0.7) / 0.1, 0.0, 1.0);
-    const double profile =
-        around > 0 ? thin * (out > 0 ? std::sqrt(1 - out * out) + 0.2 * (1 - out) : around) / around
-                   : 0;
-    double y = p.y() * profile * (1 + 1.2 * hand), z = p.z() * profile * (1 - 0.4 * hand);
-    if (y > 0) y *= 1 + thumb * hand * std::exp(-std::pow((out - 0.82) / 0.06, 2));  // thumb
-    z -= 0.6 * hand * y * y;                                                         // palm
-    p = Eigen::RowVector3d(x + 2.2 * out, y, z);
+    const double end = std::copysign(1, p.x());
+    p.x() = std::abs(p.x());
+    p = onClub(p, p.x(), thumb);
+    p.x() *= end;
   }
   mesh.vertices /= std::sqrt(faceAreas(mesh).sum());
   return mesh;

@@ -11,6 +11,7 @@
 #include "support/shapes.h"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace posture {
@@ -92,6 +93,76 @@ TEST_F(RigidEnds, whatIsInOneEndIsNotLookedAtAgain) {
       from_tip.begin());
   EXPECT_EQ(rigidEnds(club_, other_, {tip_, beside}, woundBy(0)).size(), 1);
 }
+
+TEST(RightHand, fitsItsLikeBetterThanALeftOne) {
+  const SpectralSurface hand = test::spectralSurface(test::clubWithHand(4, 5), 10),
+                        like = test::spectralSurface(test::clubWithHand(3.5, 5), 10);
+  TriangleMesh mirrored = like.mesh;
+  mirrored.vertices.col(2) *= -1;
+  mirrored.faces.col(1).swap(mirrored.faces.col(2));
+  const SpectralSurface unlike = test::spectralSurface(mirrored, 10);
+  const auto fitOn = [&](const SpectralSurface& other) {
+    return fitEnds(hand,
+                   other,
+                   {test::tipOf(hand.mesh)},
+                   {test::nearestOf(hand.mesh.vertices, other.mesh),
+                    test::nearestOf(other.mesh.vertices, hand.mesh)});
+  };
+  const std::vector<EndFit> right = fitOn(like), left = fitOn(unlike);
+  ASSERT_EQ(right.size(), 1);
+  ASSERT_EQ(left.size(), 1);
+  EXPECT_TRUE(right[0].fitsInOneWay());
+  EXPECT_GT(left[0].misfit, 2 * right[0].misfit);
+  const std::vector<double> against = endDisagreements({right, left});
+  EXPECT_EQ(against[0], 0);
+  EXPECT_GT(against[1], 0);
+}
+
+TEST_F(RigidEnds, anEndWithTooFewVerticesFitsNowhere) {
+  const TriangleMesh rough = test::sphere(1);
+  const SpectralSurface ball(rough, Matrix::Ones(rough.vertices.rows(), 1), Vector::Zero(1));
+  const VertexMaps maps{test::nearestOf(club_.mesh.vertices, rough),
+                        test::nearestOf(rough.vertices, club_.mesh)};
+  const std::vector<EndFit> fits = fitEnds(club_, ball, {tip_}, maps);
+  ASSERT_EQ(fits.size(), 1);
+  EXPECT_TRUE(std::isinf(fits[0].misfit));
+  EXPECT_FALSE(fits[0].fitsInOneWay());
+}
+
+TEST(EndDisagreements, endsThatFitInSeveralWaysSayNothing) {
+  const EndFit paw{0, 1, 1.5, 0.1}, worse{0, 2, 3, 0.1};
+  EXPECT_EQ(endDisagreements({{paw}, {worse}}), (std::vector<double>{0, 0}));
+}
+
+TEST(EndDisagreements, areSummedOverTheEndsAndOfOneNoMoreThanTwice) {
+  const EndFit hand{0, 1, 3, 0}, other_hand{0, 1.5, 2, 0}, head{1, 1, 3, 0}, stump{1, 30, 40, 0};
+  const std::vector<double> against = endDisagreements({{hand, stump}, {other_hand, head}});
+  EXPECT_DOUBLE_EQ(against[0], std::log(2));
+  EXPECT_DOUBLE_EQ(against[1], std::log(1.5));
+}
+
+TEST(EndDisagreements, whatIsNotKnownUnderAllMapsSaysNothing) {
+  constexpr double UNKNOWN = std::numeric_limits<double>::infinity();
+  const EndFit head{1, 1, 3, 0}, crumb{1, UNKNOWN, UNKNOWN, 0}, hand{0, 1, 3, 0}, worse{0, 2, 3, 0};
+  EXPECT_EQ(endDisagreements({{head}, {crumb}}), (std::vector<double>{0, 0}));
+  EXPECT_EQ(endDisagreements({{head}, {}}), (std::vector<double>{0, 0}));
+  const std::vector<double> against = endDisagreements({{head, hand}, {worse}});
+  EXPECT_EQ(against[0], 0);
+  EXPECT_DOUBLE_EQ(against[1], std::log(2));
+}
+
+TEST(EndDisagreements, ofWhatFitsExactlyAreNone) {
+  const EndFit exact{0, 0, 3, 0};
+  EXPECT_EQ(endDisagreements({{exact}, {exact}}), (std::vector<double>{0, 0}));
+}
+
+TEST(EndDisagreements, doNotCountWhatIsByChance) {
+  const EndFit fine{0, 0.01, 3, 1}, coarse{0, 0.1, 3, 1};
+  const std::vector<double> against = endDisagreements({{fine}, {coarse}});
+  EXPECT_NEAR(against[1], std::log(1.1 / 1.01), 1e-12);
+}
+
+TEST(EndDisagreements, ofNothingAreNothing) { EXPECT_TRUE(endDisagreements({}).empty()); }
 
 /// Round about x, its triangles turned before it is drawn out.
 SpectralSurface egg(double angle) {

@@ -2,18 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "answer_gap.h"
 #include "refined_maps.h"
 #include <cstddef>
 #include <vector>
 
 namespace posture {
-
-/// Places farther apart than two samples are not the same: no unit.
-inline double answerGap(const SampledShape& target) { return 2 * target.spacing; }
-
-/// Mean distance on the target between where two maps take the source's vertices, straight: no
-/// unit, as the body's area is about one.
-double gapBetween(const TriangleMesh& target, const VertexMaps& x, const VertexMaps& y);
 
 /// Of finalists by increasing score, the first and those that differ from every better one by more
 /// than `gap`: different answers.
@@ -36,7 +30,7 @@ std::vector<int> leadingOf(const std::vector<Finalist>& finalists,
 /// Where refinement led different answers.
 class RefinedAnswers {
  public:
-  /// \param refined  by increasing score, at least one. Referred to.
+  /// \param refined  the best first, at least one. Referred to.
   /// \param distinct  of `finalists`.
   /// \param coarse_target, target  the meshes that finalists and refined maps lead to.
   /// \param gap  how far apart two places are not the same any more.

@@ -18,9 +18,15 @@ struct RefinedMap {
   bool laid = false;  ///< the two were laid over each other: much may be missing
   BentPair pair;
   MapScore score;
+  /// By how much worse ends of limbs fit than under the map, of those it was compared with, under
+  /// which they fit best (endDisagreements()): says nothing of maps it was not compared with.
+  double ends = 0;
+
+  /// What maps that were refined together are compared by. Lower is better.
+  double judged() const { return score.total() + ends; }
 };
 
-/// Takes finalists to the work meshes, settled there; by increasing score.
+/// Takes finalists to the work meshes, settled there, and compares them; the best first.
 /// \param may_lack  whether a side may lack a part that the other one has: what a map squeezes so
 ///                  badly that its score says nothing of the rest is then let go of.
 std::vector<RefinedMap> refineFinalists(const RefinedShape& source,

@@ -76,7 +76,7 @@ bool mayLack(const PosedSide& source, const PosedSide& target) {
   return open(source) || open(target);
 }
 
-/// The leading finalists, as precise as the work meshes allow; by increasing score.
+/// The leading finalists, as precise as the work meshes allow; the best first.
 std::vector<RefinedMap> refineLeading(const RefinedShape& source,
                                       const RefinedShape& target,
                                       bool may_lack,
@@ -100,7 +100,7 @@ std::vector<AlternativeSummary> summarizeAnswers(const PosedSide& source,
   std::vector<AlternativeSummary> summaries;
   for (int i : answers) {
     AlternativeSummary summary = summarize(finalists[i]);
-    if (const RefinedMap* map = refined.of(i)) summary.refined_score = map->score.total();
+    if (const RefinedMap* map = refined.of(i)) summary.refined_score = map->judged();
     summary.gap = gapBetween(coarse_target, finalists[refined.chosen()].maps, finalists[i].maps);
     summary.target_vertex =
         coarseToInput(finalists[i].maps, source.given, source.shape, target.given, target.shape);

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace posture {
@@ -37,6 +36,10 @@ constexpr double TRIMMED = 0.8;
 
 constexpr int TURNS = 72, MOST_STEPS = 20;
 
+/// From all sides an end is laid by so many vertices of it and of what is around it; so many ways
+/// are then gone on with by all vertices.
+constexpr std::size_t ROUGH = 250, MOST_WAYS = 8;
+
 /// A step that changes the misfit by less is the last.
 constexpr double AT_REST = 1e-3;
 
@@ -46,6 +49,10 @@ constexpr double SAME_TURN = M_PI / 6;
 /// Of the misfit in the next best way: heads of cats and horses have 0.3 to 0.4, other ends 0.6 and
 /// more.
 constexpr double CLEARLY_BETTER = 0.5;
+
+/// An end that fits so many times worse does not fit: on a stump it may have thirty times the
+/// misfit, and would outvote all others.
+constexpr double DOES_NOT_FIT = 2;
 
 /// Of the mean squared edge, the misfit that says something: twice that of a surface on itself with
 /// its vertices elsewhere (the second moment of a hexagon's places). A round end has less in many
@@ -57,6 +64,7 @@ constexpr std::size_t PLACES_ON_END = 5;
 /// Mean geodesic distance from places all over the surface. The first vertices are spread evenly.
 Vector remoteness(const SpectralSurface& surface) {
   const int n = static_cast<int>(surface.mesh.vertices.rows()), places = std::min(PLACES, n);
+  parallelFor(places, [&](int i) { surface.distances.from(i); });
   Vector sum = Vector::Zero(n);
   for (int i = 0; i < places; ++i)
     sum += Eigen::Map<const Vector>(surface.distances.from(i).data(), n);
@@ -72,38 +80,58 @@ struct End {
   double squared_edge = 0;   // mean, of the end
 };
 
-End endAt(const SpectralSurface& surface, const Vector& remote, int tip) {
+/// Geodesic distance from a tip, or from an ear or a nose beside it.
+std::vector<double> distanceFromEnd(const SpectralSurface& surface, const Vector& remote, int tip) {
   const std::vector<double>& from_tip = surface.distances.from(tip);
-  std::vector<int> extremes{tip};
+  std::vector<double> distance = from_tip;
   for (int v = 0; v < remote.size(); ++v) {
     const VertexNeighbors& near = surface.within_two_edges;
-    if (from_tip[v] < TIP_REACH &&
-        std::all_of(near.begin(v), near.end(v), [&](int w) { return remote[w] <= remote[v]; }))
-      extremes.push_back(v);
+    if (!(from_tip[v] < TIP_REACH) ||
+        std::any_of(near.begin(v), near.end(v), [&](int w) { return remote[w] > remote[v]; }))
+      continue;
+    const std::vector<double>& from_it = surface.distances.from(v);
+    for (std::size_t w = 0; w < distance.size(); ++w)
+      distance[w] = std::min(distance[w], from_it[w]);
   }
-  std::vector<double> distance = from_tip;
-  for (int extreme : extremes) {
-    const std::vector<double>& from_it = surface.distances.from(extreme);
-    for (std::size_t v = 0; v < distance.size(); ++v)
-      distance[v] = std::min(distance[v], from_it[v]);
+  return distance;
+}
+
+double meanSquaredEdge(const SpectralSurface& surface, const End& end) {
+  double sum = 0, edges = 0;
+  for (std::size_t i = 0; i < end.wide.size(); ++i) {
+    if (!end.inside[i]) continue;
+    const int v = end.wide[i];
+    for (const int* w = surface.neighbors.begin(v); w != surface.neighbors.end(v); ++w, ++edges)
+      sum += (surface.mesh.vertices.row(v) - surface.mesh.vertices.row(*w)).squaredNorm();
   }
+  return sum / edges;
+}
+
+End endAt(const SpectralSurface& surface, const Vector& remote, int tip) {
+  const std::vector<double> distance = distanceFromEnd(surface, remote, tip);
   End end;
-  std::vector<int> inside;
   for (int v = 0; v < remote.size(); ++v) {
     if (!(distance[v] < RADIUS + MARGIN)) continue;
     end.wide.push_back(v);
     end.inside.push_back(distance[v] < RADIUS);
-    if (end.inside.back()) inside.push_back(v);
+    end.size += end.inside.back();
   }
-  end.size = inside.size();
-  double sum = 0, edges = 0;
-  for (int v : inside)
-    for (const int* w = surface.neighbors.begin(v); w != surface.neighbors.end(v); ++w, ++edges)
-      sum += (surface.mesh.vertices.row(v) - surface.mesh.vertices.row(*w)).squaredNorm();
-  end.squared_edge = sum / edges;
+  end.squared_edge = meanSquaredEdge(surface, end);
   end.places = surface.mesh.vertices(end.wide, Eigen::all);
   end.normals = surface.normals(end.wide, Eigen::all);
   return end;
+}
+
+/// The same with its first vertices alone, which are spread evenly.
+End roughEnd(const End& end) {
+  const std::size_t n = std::min(ROUGH, end.wide.size());
+  End rough;
+  rough.wide.assign(end.wide.begin(), end.wide.begin() + static_cast<std::ptrdiff_t>(n));
+  rough.inside.assign(end.inside.begin(), end.inside.begin() + static_cast<std::ptrdiff_t>(n));
+  rough.size = std::count(rough.inside.begin(), rough.inside.end(), 1);
+  rough.places = end.places.topRows(static_cast<Eigen::Index>(n));
+  rough.normals = end.normals.topRows(static_cast<Eigen::Index>(n));
+  return rough;
 }
 
 /// An end laid on another one.
@@ -145,6 +173,7 @@ void layCloser(const End& a, const End& b, Laid& laid) {
     return sum / static_cast<double>(pairs.size());
   };
   laid.pairs = pairsOf(a, b, laid.motion);
+  if (laid.pairs.empty()) return;
   laid.misfit = meanOf(laid.pairs);
   for (int step = 0; step < MOST_STEPS; ++step) {
     Points from(laid.pairs.size(), 3), to(laid.pairs.size(), 3);
@@ -180,8 +209,9 @@ Laid asMapped(const SpectralSurface& b, const End& a, const VertexMaps& maps) {
   return laid;
 }
 
-/// The way that fits clearly better than all others.
-std::optional<Laid> onlyWay(const End& a, const End& b, const Laid& mapped) {
+/// The best ways to lay an end on another one, each turned against the better ones; best first.
+std::vector<Laid> waysToLay(const End& a, const End& b, const Laid& mapped) {
+  const End rough_a = roughEnd(a), rough_b = roughEnd(b);
   const std::vector<Eigen::Matrix3d> turns = evenRotations(TURNS);
   const Eigen::Vector3d middle_a = middleOf(a), middle_b = middleOf(b);
   std::vector<Laid> ways(1 + turns.size());
@@ -193,14 +223,60 @@ std::optional<Laid> onlyWay(const End& a, const End& b, const Laid& mapped) {
       way.motion.linear() = turns[i - 1] * mapped.motion.linear();
       way.motion.translation() = middle_b - way.motion.linear() * middle_a;
     }
-    layCloser(a, b, way);
+    layCloser(rough_a, rough_b, way);
   });
-  const Laid& best = *std::min_element(ways.begin(), ways.end());
-  const double least =
-      std::max(best.misfit / CLEARLY_BETTER, SAMPLING * std::max(a.squared_edge, b.squared_edge));
-  for (const Laid& way : ways)
-    if (angleBetween(best, way) > SAME_TURN && !(way.misfit > least)) return std::nullopt;
-  return best;
+  const auto leaveDifferent = [&] {
+    std::stable_sort(ways.begin(), ways.end());
+    std::vector<Laid> different;
+    for (Laid& way : ways)
+      if (different.size() < MOST_WAYS &&
+          std::none_of(different.begin(), different.end(), [&](const Laid& better) {
+            return angleBetween(better, way) <= SAME_TURN;
+          }))
+        different.push_back(std::move(way));
+    ways = std::move(different);
+  };
+  leaveDifferent();
+  parallelFor(static_cast<int>(ways.size()), [&](int i) { layCloser(a, b, ways[i]); });
+  leaveDifferent();
+  return ways;
+}
+
+/// An end, the one that a map takes it to, and how it lies there.
+struct Look {
+  EndFit fit;
+  End a, b;
+  Laid mapped, best;  // nothing where one of them has too few vertices
+};
+
+std::vector<Look> lookAtEnds(const SpectralSurface& a,
+                             const SpectralSurface& b,
+                             const std::vector<int>& tips,
+                             const VertexMaps& maps) {
+  constexpr double INFINITE = std::numeric_limits<double>::infinity();
+  const Vector remote_a = remoteness(a), remote_b = remoteness(b);
+  std::vector<char> seen(a.mesh.vertices.rows(), 0);
+  std::vector<Look> looks;
+  for (int tip : tips) {
+    if (seen[tip]) continue;
+    Look look{{tip, INFINITE, INFINITE, 0},
+              endAt(a, remote_a, tip),
+              endAt(b, remote_b, maps.forward[tip]),
+              {},
+              {}};
+    for (std::size_t i = 0; i < look.a.wide.size(); ++i)
+      if (look.a.inside[i]) seen[look.a.wide[i]] = 1;
+    look.fit.by_chance = SAMPLING * std::max(look.a.squared_edge, look.b.squared_edge);
+    if (std::min(look.a.size, look.b.size) >= FEWEST) {
+      look.mapped = asMapped(b, look.a, maps);
+      std::vector<Laid> ways = waysToLay(look.a, look.b, look.mapped);
+      look.fit.misfit = ways.front().misfit;
+      if (ways.size() > 1) look.fit.next = ways[1].misfit;
+      look.best = std::move(ways.front());
+    }
+    looks.push_back(std::move(look));
+  }
+  return looks;
 }
 
 /// Vertices spread over an end, the one nearest to the tip first, and what they lie next to.
@@ -233,29 +309,55 @@ std::vector<PlacePair> placesOn(
 
 }  // namespace
 
+bool EndFit::fitsInOneWay() const { return next > std::max(misfit / CLEARLY_BETTER, by_chance); }
+
 std::vector<RigidEnd> rigidEnds(const SpectralSurface& a,
                                 const SpectralSurface& b,
                                 const std::vector<int>& tips,
                                 const VertexMaps& maps) {
-  const Vector remote_a = remoteness(a), remote_b = remoteness(b);
-  std::vector<char> seen(a.mesh.vertices.rows(), 0);
   std::vector<RigidEnd> ends;
-  for (int tip : tips) {
-    if (seen[tip]) continue;
-    const End of_a = endAt(a, remote_a, tip), of_b = endAt(b, remote_b, maps.forward[tip]);
+  for (const Look& look : lookAtEnds(a, b, tips, maps)) {
+    if (!look.fit.fitsInOneWay()) continue;
     RigidEnd end;
-    for (std::size_t i = 0; i < of_a.wide.size(); ++i)
-      if (of_a.inside[i]) end.vertices.push_back(of_a.wide[i]);
-    for (int v : end.vertices) seen[v] = 1;
-    if (std::min(of_a.size, of_b.size) < FEWEST) continue;
-    const Laid mapped = asMapped(b, of_a, maps);
-    const std::optional<Laid> best = onlyWay(of_a, of_b, mapped);
-    if (!best) continue;
-    end.places = placesOn(a, of_a, of_b, tip, *best);
-    end.turned = angleBetween(*best, mapped) > SAME_TURN;
+    for (std::size_t i = 0; i < look.a.wide.size(); ++i)
+      if (look.a.inside[i]) end.vertices.push_back(look.a.wide[i]);
+    end.places = placesOn(a, look.a, look.b, look.fit.tip, look.best);
+    end.turned = angleBetween(look.best, look.mapped) > SAME_TURN;
     ends.push_back(std::move(end));
   }
   return ends;
+}
+
+std::vector<EndFit> fitEnds(const SpectralSurface& a,
+                            const SpectralSurface& b,
+                            const std::vector<int>& tips,
+                            const VertexMaps& maps) {
+  std::vector<EndFit> fits;
+  for (const Look& look : lookAtEnds(a, b, tips, maps)) fits.push_back(look.fit);
+  return fits;
+}
+
+std::vector<double> endDisagreements(const std::vector<std::vector<EndFit>>& fits) {
+  std::vector<double> sums(fits.size(), 0);
+  if (fits.empty()) return sums;
+  for (const EndFit& first : fits.front()) {
+    std::vector<EndFit> of_end;
+    for (const std::vector<EndFit>& map : fits)
+      for (const EndFit& fit : map)
+        if (fit.tip == first.tip && std::isfinite(fit.misfit)) of_end.push_back(fit);
+    if (of_end.size() < fits.size()) continue;
+    const EndFit* best = nullptr;
+    for (const EndFit& fit : of_end)
+      if (fit.fitsInOneWay() && (best == nullptr || fit.misfit < best->misfit)) best = &fit;
+    if (best == nullptr) continue;
+    for (std::size_t k = 0; k < fits.size(); ++k) {
+      const double by_chance =
+          std::max({best->by_chance, of_end[k].by_chance, std::numeric_limits<double>::min()});
+      const double worse = (of_end[k].misfit + by_chance) / (best->misfit + by_chance);
+      sums[k] += std::log(std::clamp(worse, 1.0, DOES_NOT_FIT));
+    }
+  }
+  return sums;
 }
 
 }  // namespace posture

@@ -226,8 +226,9 @@ std::string reportHtml(const RegistrationResult& result, const RunDescription& r
                 element("p class=\"note\"",
                         "The different ways to lay one body on the other that keep the outside "
                         "out. The score is ln bending + ln curvature + ln distortion + ln (0.02 "
-                        "+ return miss) - 4 ln (1 - let go); of those refined, the one with the "
-                        "lowest refined score wins.") +
+                        "+ return miss) - 4 ln (1 - let go), of those refined and how much worse "
+                        "ends of limbs fit than under the best of them; the one with the lowest "
+                        "refined score wins.") +
                     alternatives(result));
   body += section("Shapes", shapes(result, run));
   if (!run.options.empty()) body += section("Options", list(run.options));

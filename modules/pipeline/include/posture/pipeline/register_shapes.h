@@ -67,7 +67,8 @@ struct AlternativeSummary {
   double return_miss = 0;
   double let_go = 0;
   double score = 0;
-  /// That of the map refined from it; none where another answer is better by far before that.
+  /// That of the map refined from it, and by how much worse ends of limbs fit than under the others
+  /// (endDisagreements()); none where another answer is better by far before that.
   std::optional<double> refined_score;
   double gap = 0;                  ///< mean distance from the chosen answer, over sqrt(area)
   std::vector<int> target_vertex;  ///< per source vertex as given, to the spacing of the coarse

@@ -35,4 +35,29 @@ std::vector<RigidEnd> rigidEnds(const SpectralSurface& a,
                                 const std::vector<int>& tips,
                                 const VertexMaps& maps);
 
+/// How well the end of a limb fits as a rigid body where a map takes it, however it is turned.
+/// Infinite where one of the two ends has too few vertices to tell.
+struct EndFit {
+  int tip;
+  double misfit;     ///< mean squared distance, normals included, the largest fifth left out
+  double next;       ///< that of the next best way, turned by more than 30 degrees against it
+  double by_chance;  ///< twice the misfit that comes of where vertices happen to lie
+
+  /// Whether there is but one way: the end is no paw.
+  bool fitsInOneWay() const;
+};
+
+/// The same ends as for rigidEnds(), those that fit in several ways too. \pre  as there.
+std::vector<EndFit> fitEnds(const SpectralSurface& a,
+                            const SpectralSurface& b,
+                            const std::vector<int>& tips,
+                            const VertexMaps& maps);
+
+/// How much worse ends fit under each of several maps: summed over the ends that fit in one way
+/// only under one of the maps, the logarithm of the misfit over that of the map under which they do
+/// so best, each between 0 and ln 2. A left hand does not fit a right one. What has too few
+/// vertices to tell, or was not looked at under all maps, does not count.
+/// \param fits  of each map, by fitEnds() for the same tips.
+std::vector<double> endDisagreements(const std::vector<std::vector<EndFit>>& fits);
+
 }  // namespace posture
