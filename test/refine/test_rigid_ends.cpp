@@ -11,6 +11,7 @@
 #include "support/shapes.h"
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -118,7 +119,27 @@ TEST(RightHand, fitsItsLikeBetterThanALeftOne) {
   EXPECT_GT(against[1], 0);
 }
 
-TEST_F(RigidEnds, anEndWithTooFewVerticesFitsNowhere) {
+TEST_F(RigidEnds, anEndThatIsNotAllThereDoesNotTell) {
+  const auto fitOn = [&](const std::function<bool(int)>& is_there) {
+    TriangleMesh open = other_.mesh;
+    std::vector<int> kept;
+    for (int f = 0; f < open.faces.rows(); ++f) {
+      const auto face = open.faces.row(f);
+      if (std::all_of(face.begin(), face.end(), is_there)) kept.push_back(f);
+    }
+    open.faces = Faces(open.faces(kept, Eigen::all));
+    const SpectralSurface rest(open, Matrix::Ones(open.vertices.rows(), 1), Vector::Zero(1));
+    return fitEnds(club_, rest, {tip_}, woundBy(0)).at(0).misfit;
+  };
+  const Points& places = other_.mesh.vertices;
+  const int beside = other_.within_two_edges.begin(tip_)[0];
+  EXPECT_LT(fitOn([&](int v) { return v != beside; }), 0.01);  // but for a few faces
+  const double hand = places(tip_, 0) - 0.2;
+  EXPECT_TRUE(
+      std::isinf(fitOn([&](int v) { return places(v, 0) < hand || places(v, 1) > -0.01; })));
+}
+
+TEST_F(RigidEnds, anEndWithTooFewVerticesDoesNotTell) {
   const TriangleMesh rough = test::sphere(1);
   const SpectralSurface ball(rough, Matrix::Ones(rough.vertices.rows(), 1), Vector::Zero(1));
   const VertexMaps maps{test::nearestOf(club_.mesh.vertices, rough),

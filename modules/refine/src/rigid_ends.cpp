@@ -25,6 +25,10 @@ constexpr double RADIUS = 0.1, MARGIN = 0.1;
 /// Vertices of an end that tell a motion; whether they tell it well is seen by the other ways.
 constexpr std::size_t FEWEST = 20;
 
+/// Of its vertices, those on a rim where all of an end was seen but for a face or two. A stump has
+/// 0.15 and more.
+constexpr double MOST_ON_RIM = 0.05;
+
 /// Places from which the mean distance is taken.
 constexpr int PLACES = 80;
 
@@ -78,6 +82,7 @@ struct End {
   Points places, normals;    // of `wide`
   std::size_t size = 0;      // of the end
   double squared_edge = 0;   // mean, of the end
+  std::size_t on_rim = 0;    // of the end
 };
 
 /// Geodesic distance from a tip, or from an ear or a nose beside it.
@@ -115,11 +120,16 @@ End endAt(const SpectralSurface& surface, const Vector& remote, int tip) {
     end.wide.push_back(v);
     end.inside.push_back(distance[v] < RADIUS);
     end.size += end.inside.back();
+    if (end.inside.back() && surface.on_boundary[v] != 0) ++end.on_rim;
   }
   end.squared_edge = meanSquaredEdge(surface, end);
   end.places = surface.mesh.vertices(end.wide, Eigen::all);
   end.normals = surface.normals(end.wide, Eigen::all);
   return end;
+}
+
+bool isWhole(const End& end) {
+  return static_cast<double>(end.on_rim) <= MOST_ON_RIM * static_cast<double>(end.size);
 }
 
 /// The same with its first vertices alone, which are spread evenly.
@@ -246,13 +256,15 @@ std::vector<Laid> waysToLay(const End& a, const End& b, const Laid& mapped) {
 struct Look {
   EndFit fit;
   End a, b;
-  Laid mapped, best;  // nothing where one of them has too few vertices
+  Laid mapped, best;  // nothing where it was not laid
 };
 
+/// \param whole_only  whether ends that are not whole are not laid either.
 std::vector<Look> lookAtEnds(const SpectralSurface& a,
                              const SpectralSurface& b,
                              const std::vector<int>& tips,
-                             const VertexMaps& maps) {
+                             const VertexMaps& maps,
+                             bool whole_only) {
   constexpr double INFINITE = std::numeric_limits<double>::infinity();
   const Vector remote_a = remoteness(a), remote_b = remoteness(b);
   std::vector<char> seen(a.mesh.vertices.rows(), 0);
@@ -267,7 +279,9 @@ std::vector<Look> lookAtEnds(const SpectralSurface& a,
     for (std::size_t i = 0; i < look.a.wide.size(); ++i)
       if (look.a.inside[i]) seen[look.a.wide[i]] = 1;
     look.fit.by_chance = SAMPLING * std::max(look.a.squared_edge, look.b.squared_edge);
-    if (std::min(look.a.size, look.b.size) >= FEWEST) {
+    const bool tells = std::min(look.a.size, look.b.size) >= FEWEST &&
+                       (!whole_only || (isWhole(look.a) && isWhole(look.b)));
+    if (tells) {
       look.mapped = asMapped(b, look.a, maps);
       std::vector<Laid> ways = waysToLay(look.a, look.b, look.mapped);
       look.fit.misfit = ways.front().misfit;
@@ -316,7 +330,7 @@ std::vector<RigidEnd> rigidEnds(const SpectralSurface& a,
                                 const std::vector<int>& tips,
                                 const VertexMaps& maps) {
   std::vector<RigidEnd> ends;
-  for (const Look& look : lookAtEnds(a, b, tips, maps)) {
+  for (const Look& look : lookAtEnds(a, b, tips, maps, false)) {
     if (!look.fit.fitsInOneWay()) continue;
     RigidEnd end;
     for (std::size_t i = 0; i < look.a.wide.size(); ++i)
@@ -333,7 +347,7 @@ std::vector<EndFit> fitEnds(const SpectralSurface& a,
                             const std::vector<int>& tips,
                             const VertexMaps& maps) {
   std::vector<EndFit> fits;
-  for (const Look& look : lookAtEnds(a, b, tips, maps)) fits.push_back(look.fit);
+  for (const Look& look : lookAtEnds(a, b, tips, maps, true)) fits.push_back(look.fit);
   return fits;
 }
 

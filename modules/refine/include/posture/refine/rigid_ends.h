@@ -36,7 +36,7 @@ std::vector<RigidEnd> rigidEnds(const SpectralSurface& a,
                                 const VertexMaps& maps);
 
 /// How well the end of a limb fits as a rigid body where a map takes it, however it is turned.
-/// Infinite where one of the two ends has too few vertices to tell.
+/// Infinite where one of the two ends does not tell: it has too few vertices, or is not all there.
 struct EndFit {
   int tip;
   double misfit;     ///< mean squared distance, normals included, the largest fifth left out
@@ -55,8 +55,8 @@ std::vector<EndFit> fitEnds(const SpectralSurface& a,
 
 /// How much worse ends fit under each of several maps: summed over the ends that fit in one way
 /// only under one of the maps, the logarithm of the misfit over that of the map under which they do
-/// so best, each between 0 and ln 2. A left hand does not fit a right one. What has too few
-/// vertices to tell, or was not looked at under all maps, does not count.
+/// so best, each between 0 and ln 2. A left hand does not fit a right one. What does not tell, or
+/// was not looked at, under all maps does not count.
 /// \param fits  of each map, by fitEnds() for the same tips.
 std::vector<double> endDisagreements(const std::vector<std::vector<EndFit>>& fits);
 
