@@ -139,18 +139,6 @@ TEST(JudgedByEnds, handsTellWhetherABodyIsHalfTurned) {
   EXPECT_GT(turned.ends, 0.5 * std::log(2));
 }
 
-TEST_F(RefinedMaps, endsThatFittedElsewhereBetterDoNotTurnLimbs) {
-  Finalist finalist;
-  finalist.maps = {test::nearestOf(club_.coarse.mesh.vertices, club_.coarse.mesh),
-                   test::nearestOf(club_.coarse.mesh.vertices, club_.coarse.mesh)};
-  RefinedMap map = refineFinalists(club_, club_, false, {&finalist}).front(), against = map;
-  EXPECT_EQ(map.ends, 0);
-  against.ends = 1;
-  annealMap(club_, club_, false, map);
-  annealMap(club_, club_, false, against);
-  EXPECT_EQ(against.pair.maps.forward, map.pair.maps.forward);
-}
-
 TEST(WorkMeshes, shareABudget) {
   RefinedShape light = fullSide("light", test::sphere(3), false),
                fine = fullSide("fine", test::sphere(5), false);
