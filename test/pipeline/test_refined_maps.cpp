@@ -136,7 +136,7 @@ TEST(JudgedByEnds, handsTellWhetherABodyIsHalfTurned) {
       maps.begin(), maps.end(), [](const RefinedMap& map) { return map.finalist == 0; });
   // By the rest of the body it would be the right one.
   EXPECT_LT(turned.score.total(), maps.front().score.total());
-  EXPECT_GT(turned.ends, 0.5 * std::log(2));
+  EXPECT_GT(turned.ends, 0.5 * std::log(2));  // half of what one hand may cost
 }
 
 TEST(WorkMeshes, shareABudget) {

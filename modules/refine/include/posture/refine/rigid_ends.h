@@ -55,8 +55,8 @@ std::vector<EndFit> fitEnds(const SpectralSurface& a,
 
 /// How much worse ends fit under each of several maps: summed over the ends that fit in one way
 /// only under one of the maps, the logarithm of the misfit over that of the map under which they do
-/// so best, each between 0 and ln 2. A left hand does not fit a right one. What does not tell, or
-/// was not looked at, under all maps does not count.
+/// so best, each between 0 and ln 2. A left hand does not fit a right one. What does not tell under
+/// one of the maps, or was not looked at, does not count.
 /// \param fits  of each map, by fitEnds() for the same tips.
 std::vector<double> endDisagreements(const std::vector<std::vector<EndFit>>& fits);
 
