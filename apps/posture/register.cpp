@@ -54,6 +54,7 @@ void registerVerb(const RegisterOptions& options, Common& common) {
   const ShapeFile source{options.source, readShape(options.source)},
       target{options.target, readShape(options.target)};
   makeFolder(options.folder);
+  requireNoResultFiles(options.folder, {options.source, options.target});
   checkWritable(options.folder / "report.json");  // now, not after minutes
   std::optional<StageDump> dump;
   if (!options.dump.empty()) dump.emplace(options.dump);
@@ -72,7 +73,7 @@ void registerVerb(const RegisterOptions& options, Common& common) {
   bar.show("writing", 1);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   const RunDescription run = describe(options, result, elapsed.count());
-  removeResultFiles(options.folder, {options.source, options.target});  // no mix of two results
+  removeResultFiles(options.folder);  // no mix of two results
   writeResultFiles(options.folder, source.shape, target.shape, result, segments);
   const std::string report = reportJson(result, run);  // once: it says how much memory was used
   writeText(options.folder / "report.json", report);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "result_files.h"
 
+#include <posture/core/error.h>
 #include <posture/io/atomic_file.h>
 #include <posture/io/correspondence_io.h>
 #include <posture/io/mesh_io.h>
@@ -17,6 +18,9 @@ namespace posture::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Both verbs write it.
+constexpr const char* SEGMENTS = "segments.ply";
 
 std::string alternativeName(std::size_t k) { return "alternative-" + std::to_string(k); }
 
@@ -35,7 +39,9 @@ bool isResultFile(const std::string& name) {
                                            "correspondence_back.csv",
                                            "registered.ply",
                                            "registered_surface.ply",
-                                           "segments.ply",
+                                           "report.html",
+                                           "report.json",
+                                           SEGMENTS,
                                            "source_colored.ply",
                                            "source_surface.csv",
                                            "source_surface.ply",
@@ -46,26 +52,35 @@ bool isResultFile(const std::string& name) {
 }
 
 bool isSegmentFile(const std::string& name) {
-  return name == "segments.csv" || isNumbered(name, "pose-", {"_segments.ply"});
+  return name == SEGMENTS || name == "segments.csv" || name == "segments.json" ||
+         isNumbered(name, "pose-", {"_segments.ply"});
 }
 
 /// Takes a file of an earlier result out of its folder; what cannot be removed is written over, or
 /// that fails and says why.
-void removeFrom(const fs::path& folder, const fs::path& name, const std::vector<fs::path>& except) {
+void removeFrom(const fs::path& folder, const fs::path& name) {
   const fs::path path = folder / name;
   std::error_code error;
-  if (!fs::is_regular_file(path, error)) return;
-  if (std::none_of(except.begin(), except.end(), [&](const fs::path& kept) {
-        return fs::equivalent(path, kept, error);
-      }))
-    fs::remove(path, error);
+  if (fs::is_regular_file(path, error)) fs::remove(path, error);
 }
 
-std::vector<fs::path> namesIn(const fs::path& folder, bool (*is_one)(const std::string&)) {
+using IsName = bool (*)(const std::string&);
+
+std::vector<fs::path> namesIn(const fs::path& folder, IsName is_one) {
   std::vector<fs::path> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (is_one(entry.path().filename().string())) names.push_back(entry.path().filename());
   return names;
+}
+
+/// A link is as good as the file.
+void requireApart(const fs::path& folder, const std::vector<fs::path>& inputs, IsName is_one) {
+  std::error_code error;
+  for (const fs::path& name : namesIn(folder, is_one))
+    for (const fs::path& input : inputs)
+      if (fs::equivalent(folder / name, input, error))
+        throw InputError(input.string() + ": would be written over, as the results go to " +
+                         folder.string());
 }
 
 }  // namespace
@@ -115,19 +130,26 @@ std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationR
   return files;
 }
 
-void removeResultFiles(const fs::path& folder, const std::vector<fs::path>& except) {
-  removeFrom(folder, "report.json", except);  // first: without it the folder is no result
-  removeFrom(folder, "report.html", except);
-  const bool of_segment = fs::exists(folder / "segments.json");
-  for (const fs::path& name : namesIn(folder, isResultFile))
-    if (name != "segments.ply" || !of_segment) removeFrom(folder, name, except);
+void requireNoResultFiles(const fs::path& folder, const std::vector<fs::path>& inputs) {
+  requireApart(folder, inputs, isResultFile);
 }
 
-void removeSegmentFiles(const fs::path& folder, const std::vector<fs::path>& except) {
+void requireNoSegmentFiles(const fs::path& folder, const std::vector<fs::path>& inputs) {
+  requireApart(folder, inputs, isSegmentFile);
+}
+
+void removeResultFiles(const fs::path& folder) {
+  removeFrom(folder, "report.json");  // first: without it the folder is no result
+  const bool of_segment = fs::exists(folder / "segments.json");
+  for (const fs::path& name : namesIn(folder, isResultFile))
+    if (name != SEGMENTS || !of_segment) removeFrom(folder, name);
+}
+
+void removeSegmentFiles(const fs::path& folder) {
   const bool of_register = fs::exists(folder / "report.json");
-  removeFrom(folder, "segments.json", except);  // first: without it the folder is no result
-  if (!of_register) removeFrom(folder, "segments.ply", except);
-  for (const fs::path& name : namesIn(folder, isSegmentFile)) removeFrom(folder, name, except);
+  removeFrom(folder, "segments.json");  // first: without it the folder is no result
+  for (const fs::path& name : namesIn(folder, isSegmentFile))
+    if (name != SEGMENTS || !of_register) removeFrom(folder, name);
 }
 
 void writeSurfaceLink(const fs::path& path, const ScanSurface& surface) {

@@ -26,15 +26,22 @@ void writeResultFiles(const std::filesystem::path& folder,
                       const RegistrationResult& result,
                       const std::optional<ShapeSegments>& segments);
 
-/// Takes an earlier result out of a folder, also one that was being written, but for some files:
-/// the report first, then all that has a name of writeResultFiles().
-void removeResultFiles(const std::filesystem::path& folder,
-                       const std::vector<std::filesystem::path>& except);
+/// That none of the inputs is a file that a result in this folder takes the place of.
+/// \throws InputError  one is; names it.
+void requireNoResultFiles(const std::filesystem::path& folder,
+                          const std::vector<std::filesystem::path>& inputs);
+
+/// The same for what `segment` writes.
+void requireNoSegmentFiles(const std::filesystem::path& folder,
+                           const std::vector<std::filesystem::path>& inputs);
+
+/// Takes an earlier result out of a folder, also one that was being written: the report first, then
+/// all that has a name of writeResultFiles().
+void removeResultFiles(const std::filesystem::path& folder);
 
 /// The same for what `segment` wrote, segments.json first. Both verbs write a segments.ply: where
 /// the other's result is there, it is left.
-void removeSegmentFiles(const std::filesystem::path& folder,
-                        const std::vector<std::filesystem::path>& except);
+void removeSegmentFiles(const std::filesystem::path& folder);
 
 /// A mesh stays a mesh, a cloud a cloud.
 void writeColored(const std::filesystem::path& path,

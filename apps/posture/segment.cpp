@@ -130,6 +130,9 @@ void segmentVerb(const SegmentOptions& options, Common& common) {
   std::vector<ShapeFile> files;
   for (const fs::path& path : options.poses) files.push_back({path, readShape(path)});
   makeFolder(options.folder);
+  std::vector<fs::path> inputs = options.poses;
+  inputs.push_back(options.reference);
+  requireNoSegmentFiles(options.folder, inputs);
   checkWritable(options.folder / "segments.json");  // now, not after minutes
   const RegisteredPoses poses = registerPoses(options, reference, std::move(files), bar);
   bar.clear();
@@ -138,9 +141,7 @@ void segmentVerb(const SegmentOptions& options, Common& common) {
     const auto& [path, reason] = poses.left_out.front();
     std::fprintf(stderr, "posture: %s: %s\n", path.c_str(), reason.c_str());
   }
-  std::vector<fs::path> inputs = options.poses;
-  inputs.push_back(options.reference);
-  removeSegmentFiles(options.folder, inputs);  // no mix of two results
+  removeSegmentFiles(options.folder);  // no mix of two results
   const bool any = !poses.results.empty();
   const ShapeSegments segments =
       any ? segmentShape(reference.shape, poses.results) : ShapeSegments{};

@@ -382,6 +382,19 @@ TEST_F(RegisterFails, whereItCannotWrite) {
       {sound, sound, "-o", folder_ / "out", "--dump", sound + "/dump"}, 3, "sound.off/dump");
 }
 
+TEST_F(RegisterFails, whereItsResultsWouldTakeAnInputsPlace) {
+  const std::string sound = folder_ / "sound.off", earlier = folder_ / "registered.ply",
+                    link = folder_ / "link.ply";
+  writeMesh(earlier, test::sphere(2));
+  fs::create_symlink("registered.ply", link);
+  const std::string before = test::bytesOf(earlier);
+  for (const std::string& input : {earlier, link}) {
+    expectFailure({input, sound, "-o", folder_.path()}, 3, "written over");
+    expectFailure({sound, input, "-o", folder_.path()}, 3, "written over");
+  }
+  EXPECT_EQ(test::bytesOf(earlier), before);
+}
+
 TEST_F(RegisterFails, onWrongUsage) {
   const std::string sound = folder_ / "sound.off", out = folder_ / "out";
   expectFailure({sound, sound}, 2, "--output");

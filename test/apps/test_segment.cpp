@@ -184,6 +184,19 @@ TEST_F(Segment, labelsThePointsOfACloud) {
   EXPECT_EQ(readShape(at("cloud") + "/segments.ply").cloud.colors.rows(), cloud.points.rows());
 }
 
+TEST(SegmentFails, whereItsResultsWouldTakeAnInputsPlace) {
+  const TemporaryFolder folder;
+  const std::string rest = folder / "segments.ply", pose = folder / "pose-1_segments.ply";
+  writeMesh(rest, body(0).mesh);
+  writeMesh(pose, body(2).mesh);
+  const std::string before = test::bytesOf(rest);
+  const ProgramRun ended = test::run(POSTURE, {"segment", rest, pose, "-o", folder.path()});
+  EXPECT_EQ(ended.exit_code, 3);
+  EXPECT_TRUE(test::saidWhyInOneLine(ended)) << ended.out << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("written over"));
+  EXPECT_EQ(test::bytesOf(rest), before);
+}
+
 TEST(SegmentFails, onWrongUsageAndMissingFiles) {
   const TemporaryFolder folder;
   EXPECT_EQ(test::run(POSTURE, {"segment", "a.ply", "-o", folder / "out"}).exit_code, 2);
