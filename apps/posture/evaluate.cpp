@@ -43,10 +43,7 @@ auto ofTarget(const EvaluateOptions& options, const Make& make) {
 void checkMap(const EvaluateOptions& options, const Shape& target, std::vector<SurfacePoint> map) {
   if (target.faces.rows() == 0)
     for (SurfacePoint& place : map) place.face = -1;
-  checkOnTarget(options.map.string(),
-                map,
-                static_cast<int>(target.cloud.points.rows()),
-                static_cast<int>(target.faces.rows()));
+  checkOnTarget(options.map.string(), map, {target.cloud.points, target.faces});
 }
 
 Json measure(const EvaluateOptions& options) {

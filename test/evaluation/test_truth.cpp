@@ -39,15 +39,22 @@ TEST(Truth, FileWithinRange) {
 }
 
 TEST(Truth, PlacesMustBeOnTheTarget) {
-  const auto check = [](const SurfacePoint& place) {
-    return test::inputErrorOf([&] { checkOnTarget("map.csv", {SurfacePoint{}, place}, 10, 4); });
+  TriangleMesh target;
+  target.vertices = Points::Random(10, 3);
+  target.vertices.row(9) = target.vertices.row(7);
+  target.faces.resize(4, 3);
+  target.faces << 0, 1, 2, 1, 2, 3, 4, 5, 6, 6, 7, 8;
+  const auto check = [&](const SurfacePoint& place) {
+    return test::inputErrorOf([&] { checkOnTarget("map.csv", {SurfacePoint{}, place}, target); });
   };
-  EXPECT_EQ(check({9, 3, {0.5, 0.25, 0.25}}), "");
+  EXPECT_EQ(check({8, 3, {0.5, 0.25, 0.25}}), "");
+  EXPECT_EQ(check({9, 3, {0.5, 0.25, 0.25}}), "");  // where vertex 7 is
   EXPECT_EQ(check({9, -1, {0, 0, 0}}), "");
   EXPECT_THAT(check({10, -1, {0, 0, 0}}), HasSubstr("map.csv: row 1: target vertex 10"));
   EXPECT_THAT(check({9, 4, {1, 0, 0}}), HasSubstr("face 4"));
-  EXPECT_THAT(check({9, 3, {2, -1, 0}}), HasSubstr("barycentric"));
-  EXPECT_THAT(check({9, 3, {std::nan(""), 0, 1}}), HasSubstr("barycentric"));
+  EXPECT_THAT(check({5, 3, {1, 0, 0}}), HasSubstr("face 3 does not have the target vertex 5"));
+  EXPECT_THAT(check({8, 3, {2, -1, 0}}), HasSubstr("barycentric"));
+  EXPECT_THAT(check({8, 3, {std::nan(""), 0, 1}}), HasSubstr("barycentric"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <posture/evaluation/truth.h>
 #include <posture/io/correspondence_io.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace posture {
@@ -40,19 +41,24 @@ std::vector<VertexPair> readTruth(const std::filesystem::path& truth,
 
 void checkOnTarget(const std::string& name,
                    const std::vector<SurfacePoint>& on_target,
-                   int target_vertices,
-                   int target_faces) {
+                   const TriangleMesh& target) {
+  const auto isAt = [&](int v, int w) {  // meshes may have several vertices at one place
+    return v == w || target.vertices.row(v) == target.vertices.row(w);
+  };
   for (std::size_t row = 0; row < on_target.size(); ++row) {
     const SurfacePoint& place = on_target[row];
     if (place.vertex < 0) continue;
     const std::string where = name + ": row " + std::to_string(row);
-    checkVertex(where, "target", place.vertex, target_vertices);
-    if (place.face >= target_faces)
-      throw InputError(where + ": face " + std::to_string(place.face) + ", but the target has " +
-                       std::to_string(target_faces));
-    if (place.face >= 0 &&
-        !(place.barycentric.minCoeff() >= -1e-6 && std::abs(place.barycentric.sum() - 1) <= 1e-3))
+    checkVertex(where, "target", place.vertex, static_cast<int>(target.vertices.rows()));
+    if (place.face < 0) continue;
+    const std::string face = where + ": face " + std::to_string(place.face);
+    if (place.face >= target.faces.rows())
+      throw InputError(face + ", but the target has " + std::to_string(target.faces.rows()));
+    if (!(place.barycentric.minCoeff() >= -1e-6 && std::abs(place.barycentric.sum() - 1) <= 1e-3))
       throw InputError(where + ": barycentric coordinates that are negative or do not sum to 1");
+    const auto corners = target.faces.row(place.face);
+    if (std::none_of(corners.begin(), corners.end(), [&](int v) { return isAt(v, place.vertex); }))
+      throw InputError(face + " does not have the target vertex " + std::to_string(place.vertex));
   }
 }
 

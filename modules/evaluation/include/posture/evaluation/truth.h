@@ -3,6 +3,7 @@
 #pragma once
 
 #include <posture/core/correspondence.h>
+#include <posture/core/types.h>
 
 #include <filesystem>
 #include <string>
@@ -18,11 +19,10 @@ std::vector<VertexPair> readTruth(const std::filesystem::path& truth,
                                   int source_vertices,
                                   int target_vertices);
 
-/// That each place of a map lies on a mesh of so many vertices and faces.
+/// That each place of a map lies on a mesh, in a face around its vertex where it has one.
 /// \throws InputError  it does not; names the row, counted from 0. `name` begins the message.
 void checkOnTarget(const std::string& name,
                    const std::vector<SurfacePoint>& on_target,
-                   int target_vertices,
-                   int target_faces);
+                   const TriangleMesh& target);
 
 }  // namespace posture
