@@ -27,13 +27,14 @@ struct Completion {
 /// squares over all vertices p_i:
 ///   1     sum over edges     ((|p_i - p_j|^2 / l_ij^2 - 1) / 2)^2   l_ij lengths at rest
 ///   1     sum over vertices  |r_i|^2 / s_i^2                        mean-value encoding
-///   0.1   sum over vertices  (n_i . (p_i - t_i))^2 / h^2            distance from the target
+///   0.1   sum over vertices  g_i (n_i . (p_i - t_i))^2 / h^2        distance from the target
 ///   0.06  sum over matches   c_i b_i |p_i - m_i|^2 / h^2            m_i the match, c_i confidence
 /// with h the target's mean edge length. The first is the isometric energy of Kilian, Mitra and
 /// Pottmann (2007); r_i and s_i are those of MeanValueEncoding. Places t_i on the target are looked
 /// for anew several times; past the rim of a hole there is none, and matches on the rim of a hole
-/// do not count, as they may stand for any place in it. b_i is small for matches that lie far from
-/// where the rest of the surface wants the vertex (Geman and McClure). First on at most 5,000
+/// do not count, as they may stand for any place in it. g_i is small for places several edges off,
+/// where the target has no surface, b_i for matches that lie far from where the rest of the surface
+/// wants the vertex (both Geman and McClure). First on at most 5,000
 /// vertices, then on all.
 ///
 /// \param source   connected.
