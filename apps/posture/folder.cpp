@@ -18,9 +18,7 @@ void makeFolder(const std::filesystem::path& folder) {
 void checkWritable(const std::filesystem::path& path) { const AtomicFile probe(path); }
 
 void writeText(const std::filesystem::path& path, const std::string& text) {
-  AtomicFile file(path);
-  file.stream() << text;
-  file.commit();
+  writeFile(path, text);
 }
 
 }  // namespace posture::app

@@ -46,6 +46,14 @@ TEST(AtomicFile, replacesAnotherFile) {
   EXPECT_EQ(folder.names().size(), 1u);
 }
 
+TEST(WriteFile, replacesTheWholeFileWithTheseBytes) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.file("out.txt", "a longer text");
+  writeFile(path, std::string_view("new\0\n", 5));
+  EXPECT_EQ(bytesOf(path), std::string("new\0\n", 5));
+  EXPECT_EQ(folder.names().size(), 1u);
+}
+
 TEST(AtomicFile, aSignalLeavesNothing) {
   for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
     const TemporaryFolder folder;

@@ -199,6 +199,17 @@ TEST(Ply, floatColorsWindowsHeaderAndStrips) {
   EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {2, 1, 0}, {2, 1, 0}}));
 }
 
+TEST(Ply, coloursThatAreNoBytesBecomeTheNearestOnes) {
+  const MeshFile file = parse(".ply",
+                              "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
+                              "property float y\nproperty float z\nproperty float red\n"
+                              "property float green\nproperty float blue\nend_header\n"
+                              "0 0 0 inf nan -inf\n1 0 0 254.5 300 -7\n");
+  ASSERT_EQ(file.colors.rows(), 2);
+  EXPECT_EQ(file.colors.row(0), (Eigen::Matrix<std::uint8_t, 1, 3>(255, 0, 0)));
+  EXPECT_EQ(file.colors.row(1), (Eigen::Matrix<std::uint8_t, 1, 3>(255, 255, 0)));
+}
+
 TEST(Ply, normalsThatAreNoNumbersAreLeftOut) {
   const MeshFile file =
       parse(".ply",

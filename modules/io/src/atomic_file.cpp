@@ -107,4 +107,10 @@ void AtomicFile::closeUnnamed() {
   unnamed_ = -1;
 }
 
+void writeFile(const fs::path& path, std::string_view bytes) {
+  AtomicFile file(path);
+  file.stream() << bytes;
+  file.commit();
+}
+
 }  // namespace posture

@@ -5,6 +5,7 @@
 #include <posture/io/correspondence_io.h>
 
 #include "input.h"
+#include "text.h"
 #include "text_reader.h"
 #include "text_writer.h"
 #include <array>
@@ -19,12 +20,6 @@ constexpr std::string_view CSV_HEADER = "source,target,face,b0,b1,b2,confidence"
 constexpr int NONE = -1;
 
 using Fields = std::array<std::string_view, 7>;
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.back() == '\r' || text.back() == ' ')) text.remove_suffix(1);
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  return text;
-}
 
 /// The lines of a file, each without its end.
 class Lines {
@@ -129,9 +124,7 @@ void writeCorrespondence(const std::filesystem::path& path, const Correspondence
     appendNumbers(text, ',', i, point.vertex, point.face, b[0], b[1], b[2], confidence);
     text += '\n';
   }
-  AtomicFile file(path);
-  file.stream() << text;
-  file.commit();
+  writeFile(path, text);
 }
 
 std::vector<VertexPair> readVertexPairs(const std::filesystem::path& path) {
@@ -162,9 +155,7 @@ void writeVertexPairs(const std::filesystem::path& path, const std::vector<Verte
     appendNumbers(text, ' ', pair.source, pair.target);
     text += '\n';
   }
-  AtomicFile file(path);
-  file.stream() << text;
-  file.commit();
+  writeFile(path, text);
 }
 
 }  // namespace posture

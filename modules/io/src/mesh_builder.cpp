@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_builder.h"
 
+#include "color_byte.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,11 +15,6 @@ constexpr std::int64_t MOST_NUMBERS = std::numeric_limits<int>::max();
 
 bool allFinite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
-
-std::uint8_t toByte(double value) {
-  return std::isfinite(value) ? static_cast<std::uint8_t>(std::lround(std::clamp(value, 0., 255.)))
-                              : std::uint8_t{0};
 }
 
 Points toPoints(const std::vector<double>& values) {
@@ -106,7 +102,7 @@ MeshFile MeshBuilder::finish(ColorRange range) {
     const double scale = range == ColorRange::UNIT && shares ? 255 : 1;
     file.colors.resize(file.mesh.vertices.rows(), 3);
     std::transform(colors_.begin(), colors_.end(), file.colors.data(), [scale](double value) {
-      return toByte(scale * value);
+      return colorByte(scale * value);
     });
   }
   return file;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pcd_header.h"
 
+#include "text.h"
 #include "text_reader.h"
 #include <algorithm>
 #include <cmath>
@@ -10,12 +11,9 @@
 namespace posture {
 namespace {
 
-constexpr std::string_view BYTE_ORDER_MARK = "\xef\xbb\xbf";
-
 class PcdHeaderReader {
  public:
-  explicit PcdHeaderReader(const Input& input)
-      : text_(input, input.bytes().substr(0, 3) == BYTE_ORDER_MARK ? 3 : 0, '#') {}
+  explicit PcdHeaderReader(const Input& input) : text_(input, textBegin(input.bytes()), '#') {}
 
   PcdHeader read() {
     std::string_view word = text_.word();

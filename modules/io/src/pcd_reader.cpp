@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "byte_order.h"
+#include "color_byte.h"
 #include "pcd_header.h"
 #include "readers.h"
 #include "text_reader.h"
@@ -48,11 +49,6 @@ struct PcdLayout {
   int packed_color;
 };
 
-std::uint8_t toByte(double value) {
-  return value >= 0 ? static_cast<std::uint8_t>(std::lround(std::min(value, 255.0)))
-                    : std::uint8_t{0};
-}
-
 /// The points, filled from one number a field.
 class PcdCloud {
  public:
@@ -77,7 +73,7 @@ class PcdCloud {
         cloud_.colors(row, column) = static_cast<std::uint8_t>(
             static_cast<std::uint32_t>(at(layout_.packed_color)) >> (16 - 8 * axis) & 0xff);
       else
-        cloud_.colors(row, column) = toByte(at(layout_.color[axis]));
+        cloud_.colors(row, column) = colorByte(at(layout_.color[axis]));
     }
   }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "table_layout.h"
 
+#include "color_byte.h"
 #include "text_reader.h"
 #include <algorithm>
 #include <cmath>
@@ -113,12 +114,7 @@ PointCloud toCloud(const std::vector<double>& numbers, int columns, const TableL
   }
   const double scale = shares && fractions ? 255 : 1;
   for (Eigen::Index i = 0; i < colors.rows(); ++i)
-    for (int c = 0; c < 3; ++c) {
-      const double value = scale * colors(i, c);
-      cloud.colors(i, c) = value >= 0
-                               ? static_cast<std::uint8_t>(std::lround(std::min(value, 255.)))
-                               : std::uint8_t{0};
-    }
+    for (int c = 0; c < 3; ++c) cloud.colors(i, c) = colorByte(scale * colors(i, c));
   return cloud;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "readers.h"
 #include "table_layout.h"
+#include "text.h"
 #include "text_reader.h"
 #include <algorithm>
 #include <limits>
@@ -13,14 +14,7 @@
 namespace posture {
 namespace {
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 bool isSeparator(char c) { return c == ',' || c == ';'; }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 /// The part of a line before a comment; `comment` is what stands behind the sign.
 std::string_view withoutComment(std::string_view line, std::string_view& comment) {
@@ -70,8 +64,7 @@ class TableReader {
 
   PointCloud read() {
     const std::string_view bytes = input_.bytes();
-    constexpr std::string_view BYTE_ORDER_MARK = "\xef\xbb\xbf";
-    std::size_t begin = bytes.substr(0, 3) == BYTE_ORDER_MARK ? 3 : 0;
+    std::size_t begin = textBegin(bytes);
     while (begin < bytes.size()) {
       const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
       offset_ = begin;

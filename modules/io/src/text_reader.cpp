@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_reader.h"
 
+#include "text.h"
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -9,8 +10,6 @@
 
 namespace posture {
 namespace {
-
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
 std::string_view withoutPlus(std::string_view word) {
   const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-';

@@ -121,10 +121,7 @@ std::string encode(const std::filesystem::path& path, const PointCloud& cloud) {
 
 void writePointCloud(const std::filesystem::path& path, const PointCloud& cloud) {
   checkParts(cloud);
-  const std::string bytes = encode(path, cloud);
-  AtomicFile file(path);
-  file.stream() << bytes;
-  file.commit();
+  writeFile(path, encode(path, cloud));
 }
 
 }  // namespace posture

@@ -89,10 +89,7 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
   require(colors.rows() == 0 || colors.rows() == mesh.vertices.rows(),
           std::to_string(colors.rows()) + " colors for " + std::to_string(mesh.vertices.rows()) +
               " vertices");
-  const std::string bytes = toText(path, mesh, colors);
-  AtomicFile file(path);
-  file.stream() << bytes;
-  file.commit();
+  writeFile(path, toText(path, mesh, colors));
 }
 
 }  // namespace posture

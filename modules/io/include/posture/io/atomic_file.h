@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace posture {
 
@@ -34,5 +35,9 @@ class AtomicFile {
   std::ofstream stream_;
   bool committed_ = false;
 };
+
+/// Writes the whole file or nothing.
+/// \throws InputError  as AtomicFile.
+void writeFile(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace posture
