@@ -64,6 +64,10 @@ TEST_F(PairList, ColumnsInAnyOrderAndFew) {
   EXPECT_TRUE(pairs[0].truth.empty());
 }
 
+TEST_F(PairList, SkipsAByteOrderMark) {
+  EXPECT_EQ(read("\xef\xbb\xbfid,source,target\nx,a.obj,b.obj\n").size(), 1u);
+}
+
 TEST_F(PairList, SaysWhatIsWrong) {
   const std::string head = "id,source,target\n";
   EXPECT_THAT(errorOf(""), HasSubstr("pairs.csv: the file is empty"));

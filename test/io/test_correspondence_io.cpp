@@ -58,6 +58,17 @@ TEST(CorrespondenceIo, readsWindowsLinesAndNoLastLineEnd) {
   EXPECT_EQ(readCorrespondence(path).on_target.size(), 2u);
 }
 
+TEST(CorrespondenceIo, aByteOrderMarkIsSkipped) {
+  const TemporaryFolder folder;
+  const auto path = folder.file("c.csv", "\xef\xbb\xbf" + csv_header + "0,1,2,0,0.5,0.5,1\n");
+  EXPECT_EQ(readCorrespondence(path).on_target.size(), 1u);
+  EXPECT_EQ(readVertexPairs(folder.file("p.txt",
+                                        "\xef\xbb\xbf"
+                                        "0 5\n3 1\n"))
+                .size(),
+            2u);
+}
+
 TEST(CorrespondenceIo, aConfidenceTooFewIsTheCallersMistake) {
   Correspondence c = sample();
   c.confidence.resize(2);

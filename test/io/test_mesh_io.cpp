@@ -151,5 +151,14 @@ TEST(ReadMesh, doesNotDependOnTheLocale) {
   if (!found) GTEST_SKIP() << "no locale with a decimal comma is installed";
 }
 
+TEST(ReadMesh, aByteOrderMarkMayComeBeforeTheText) {
+  const TemporaryFolder folder;
+  for (const test::EncodedMesh& file : test::encodeEveryWay(test::grid(2, 1, 1, 1))) {
+    if (file.name == "binary.stl" || file.name == "solid.stl") continue;
+    SCOPED_TRACE(file.name);
+    EXPECT_EQ(readMesh(folder.file(file.name, "\xef\xbb\xbf" + file.bytes)).mesh.faces.rows(), 4);
+  }
+}
+
 }  // namespace
 }  // namespace posture

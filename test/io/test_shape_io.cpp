@@ -211,6 +211,12 @@ TEST(Pcd, olderHeadersLeaveThingsOut) {
             1);
 }
 
+TEST(Pcd, isKnownBehindAByteOrderMark) {
+  EXPECT_EQ(readCloud("a.dat", "\xef\xbb\xbf# .PCD\nFIELDS x y z\nWIDTH 1\nDATA ascii\n3 2 1\n")
+                .points.rows(),
+            1);
+}
+
 TEST(Pcd, badFilesAreRefusedInOneLine) {
   const std::string point = raw<float>(1) + raw<float>(2) + raw<float>(3);
   const std::string header = pcd("x y z", "4 4 4", "F F F", "1 1 1", "2", "1", "");

@@ -10,12 +10,6 @@
 namespace posture {
 namespace {
 
-std::string readText(const std::filesystem::path& path) {
-  std::string text = readTextFile(path);
-  if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);  // byte order mark
-  return text;
-}
-
 /// The quoted field that begins at `at`, which moves behind its closing quote.
 std::string quotedField(const std::string& text, std::size_t& at) {
   std::string field;
@@ -106,7 +100,7 @@ std::vector<std::vector<std::string>> parseCsv(const std::string& text) {
 }
 
 std::vector<BenchmarkPair> readPairList(const std::filesystem::path& path) {
-  const std::string text = readText(path);
+  const std::string text = readTextFile(path);
   std::vector<BenchmarkPair> pairs;
   try {
     const auto records = parseCsv(text);

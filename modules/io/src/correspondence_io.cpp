@@ -24,7 +24,7 @@ using Fields = std::array<std::string_view, 7>;
 /// The lines of a file, each without its end.
 class Lines {
  public:
-  explicit Lines(const Input& input) : input_(input) {}
+  explicit Lines(const Input& input) : input_(input), next_(textBegin(input.bytes())) {}
 
   bool next() {
     const std::string_view text = input_.bytes();
@@ -41,7 +41,7 @@ class Lines {
  private:
   const Input& input_;
   std::string_view line_;
-  std::size_t begin_ = 0, next_ = 0;
+  std::size_t begin_ = 0, next_;
 };
 
 Fields split(const Lines& lines) {

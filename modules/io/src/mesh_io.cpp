@@ -3,6 +3,7 @@
 #include <posture/io/mesh_io.h>
 
 #include "readers.h"
+#include "text.h"
 #include "text_reader.h"
 #include <new>
 #include <string>
@@ -17,10 +18,10 @@ bool beginsWith(std::string_view text, std::string_view head) {
 }  // namespace
 
 MeshFormat signatureOf(const Input& input) {
-  const std::string_view bytes = input.bytes();
-  if (beginsWith(bytes, "ply\n") || beginsWith(bytes, "ply\r")) return MeshFormat::PLY;
-  if (beginsWith(lowercase(bytes.substr(0, 22)), "# vtk datafile version")) return MeshFormat::VTK;
-  if (isBinaryStl(bytes)) return MeshFormat::STL;
+  const std::string_view text = input.bytes().substr(textBegin(input.bytes()));
+  if (beginsWith(text, "ply\n") || beginsWith(text, "ply\r")) return MeshFormat::PLY;
+  if (beginsWith(lowercase(text.substr(0, 22)), "# vtk datafile version")) return MeshFormat::VTK;
+  if (isBinaryStl(input.bytes())) return MeshFormat::STL;
   const std::string_view first_word = TextReader(input, 0, '#').word();
   if (isOffKeyword(first_word)) return MeshFormat::OFF;
   if (lowercase(first_word) == "solid") return MeshFormat::STL;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pcd_header.h"
 
-#include "text.h"
 #include "text_reader.h"
 #include <algorithm>
 #include <cmath>
@@ -13,7 +12,7 @@ namespace {
 
 class PcdHeaderReader {
  public:
-  explicit PcdHeaderReader(const Input& input) : text_(input, textBegin(input.bytes()), '#') {}
+  explicit PcdHeaderReader(const Input& input) : text_(input, 0, '#') {}
 
   PcdHeader read() {
     std::string_view word = text_.word();

@@ -3,6 +3,7 @@
 #include <posture/io/shape_io.h>
 
 #include "readers.h"
+#include "text.h"
 #include "text_reader.h"
 #include <algorithm>
 #include <limits>
@@ -14,7 +15,7 @@ namespace posture {
 namespace {
 
 bool isPcd(const Input& input) {
-  return input.bytes().substr(0, 6) == "# .PCD" ||
+  return input.bytes().substr(textBegin(input.bytes()), 6) == "# .PCD" ||
          lowercase(input.path().extension().string()) == ".pcd";
 }
 

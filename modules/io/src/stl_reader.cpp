@@ -3,6 +3,7 @@
 #include "byte_order.h"
 #include "mesh_builder.h"
 #include "readers.h"
+#include "text.h"
 #include "text_reader.h"
 #include <string>
 #include <vector>
@@ -97,6 +98,7 @@ MeshFile readBinaryStl(const Input& input) {
 }
 
 bool isAsciiStl(std::string_view bytes) {
+  bytes.remove_prefix(textBegin(bytes));
   bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
   const std::string_view head = bytes.substr(0, 1024);
   return lowercase(head.substr(0, 5)) == "solid" && head.find('\0') == std::string_view::npos;

@@ -3,11 +3,13 @@
 #include <posture/io/text_file.h>
 
 #include "input.h"
+#include "text.h"
 
 namespace posture {
 
 std::string readTextFile(const std::filesystem::path& path) {
-  return std::string(Input(path).bytes());
+  const Input input(path);
+  return std::string(input.bytes().substr(textBegin(input.bytes())));
 }
 
 }  // namespace posture

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_reader.h"
 
-#include "text.h"
 #include <charconv>
 #include <cmath>
 #include <limits>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "input.h"
+#include "text.h"
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -13,9 +14,13 @@ namespace posture {
 /// Goes through the words of a file from left to right; failures name the line.
 class TextReader {
  public:
+  /// \param offset   where to begin; at 0 a byte-order mark is skipped.
   /// \param comment  starts a comment that ends with the line; '\0': no comments.
   explicit TextReader(const Input& input, std::size_t offset = 0, char comment = '\0')
-      : input_(input), text_(input.bytes()), offset_(offset), comment_(comment) {}
+      : input_(input),
+        text_(input.bytes()),
+        offset_(offset == 0 ? textBegin(text_) : offset),
+        comment_(comment) {}
 
   /// The next word on this line or a later one; empty at the end of the file.
   std::string_view word();

@@ -7,7 +7,8 @@
 
 namespace posture {
 
-/// The bytes of a whole file.
+/// The bytes of a whole file, but for a UTF-8 byte-order mark before them.
+///
 /// \throws InputError  one line "<path>: <what is wrong>": missing, no regular file, empty, or it
 ///         cannot be read.
 std::string readTextFile(const std::filesystem::path& path);
