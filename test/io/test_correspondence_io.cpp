@@ -117,6 +117,7 @@ TEST(VertexPairs, saysWhatIsWrong) {
       {"", "empty"},
       {"# nothing\n", "no vertex pairs"},
       {"0 1\n2\n", "line 2: a vertex number is missing"},
+      {"0 1\r\n2\r\n", "line 2: a vertex number is missing"},
       {"0 1 2\n", "line 1: '2' behind a pair"},
       {"0 -1\n", "line 1: vertex number -1 is out of range"},
       {"0 99999999999\n", "out of range"},

@@ -261,6 +261,9 @@ const Points TWO = rows({{1, 2.5, -3}, {4e2, 5, 6}});
 TEST(Table, anySeparatorAndLineEnd) {
   for (const char* text : {"1 2.5 -3\n4e2 5 6\n",
                            "1\t2.5\t-3\r\n4e2\t5\t6\r\n",
+                           "1 2.5 -3\r4e2 5 6\r",
+                           "2\r# a comment\r1 2.5 -3 // first\r\r4e2 5 6",
+                           "1 2.5 -3\r4e2 5 6\n",
                            "1,2.5,-3\n4e2,5,6",
                            "1, 2.5, -3\n4e2 ,5 , 6,\n",
                            "1;2.5;-3\n4e2; 5; 6\n",
@@ -343,6 +346,8 @@ TEST(Table, badFilesAreRefusedInOneLine) {
   expect("1 2 3\n4 5\n", "line 2: 2 columns where 3 are expected");
   expect("1 2 3\n4 5 6 7\n", "line 2: 4 columns where 3 are expected");
   expect("1 2 3\n4 x 6\n", "line 2: 'x' is not a number");
+  expect("1 2 3\r\n\r\n4 x 6\r\n", "line 3: 'x' is not a number");
+  expect("1 2 3\r\r4 x 6\r", "line 3: 'x' is not a number");
   expect("1 2 3\n4 0x5 6\n", "'0x5' is not a number");
   expect("1 2\n", "line 1: fewer than three numbers");
   expect("hello\n", "line 1: 'hello' is not a number");

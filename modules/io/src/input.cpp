@@ -13,6 +13,17 @@
 
 namespace posture {
 namespace fs = std::filesystem;
+namespace {
+
+/// LF, CR LF or, of a classic Mac, CR alone, before the byte at `offset`.
+std::size_t lineEnds(std::string_view text, std::size_t offset) {
+  std::size_t ends = 0;
+  for (std::size_t i = 0; i < std::min(offset, text.size()); ++i)
+    if (text[i] == '\n' || (text[i] == '\r' && text.substr(i + 1, 1) != "\n")) ++ends;
+  return ends;
+}
+
+}  // namespace
 
 Input::Input(const fs::path& path) : path_(path) {
   std::error_code error;
@@ -41,10 +52,7 @@ void Input::fail(const std::string& what) const { failAt(NO_OFFSET, what); }
 
 void Input::failAt(std::size_t offset, const std::string& what) const {
   std::string message = onOneLine(path_.string()) + ": ";
-  if (offset != NO_OFFSET) {
-    const auto end = bytes_.begin() + static_cast<std::ptrdiff_t>(std::min(offset, bytes_.size()));
-    message += "line " + std::to_string(1 + std::count(bytes_.begin(), end, '\n')) + ": ";
-  }
+  if (offset != NO_OFFSET) message += "line " + std::to_string(1 + lineEnds(bytes_, offset)) + ": ";
   throw InputError(message + what);
 }
 

@@ -66,7 +66,9 @@ class TableReader {
     const std::string_view bytes = input_.bytes();
     std::size_t begin = textBegin(bytes);
     while (begin < bytes.size()) {
-      const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
+      // CR, LF or both: between the two of Windows is a blank line.
+      std::size_t end = begin;
+      while (end < bytes.size() && bytes[end] != '\n' && bytes[end] != '\r') ++end;
       offset_ = begin;
       readLine(bytes.substr(begin, end - begin));
       begin = end + 1;
