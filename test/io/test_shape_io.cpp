@@ -425,6 +425,31 @@ TEST(WritePointCloud, comesBackTheSame) {
       }
 }
 
+TEST(WritePointCloud, pcdIsDoubleWhereFloatsWouldMovePoints) {
+  const TemporaryFolder folder;
+  const auto sizes = [&](const PointCloud& cloud) {
+    writePointCloud(folder / "a.pcd", cloud);
+    const std::string bytes = test::bytesOf(folder / "a.pcd");
+    const std::size_t begin = bytes.find("SIZE ");
+    return bytes.substr(begin, bytes.find('\n', begin) - begin);
+  };
+  PointCloud cloud = randomCloud(12, true, true);
+  cloud.points += Points::Constant(12, 3, 0.1);
+  EXPECT_EQ(sizes(cloud), "SIZE 4 4 4 4 4 4 4");
+  cloud.points.col(1).array() += 5e5;
+  EXPECT_EQ(sizes(cloud), "SIZE 8 8 8 4 4 4 4");
+  const PointCloud back = readShape(folder / "a.pcd").cloud;
+  expectSame(back.points, cloud.points);
+  expectSame(back.normals, cloud.normals);
+  EXPECT_EQ(back.colors, cloud.colors);
+  for (const double scale : {1e-300, 1e300}) {
+    cloud.points = randomCloud(12, false, false).points * scale;
+    EXPECT_EQ(sizes(cloud), "SIZE 8 8 8 4 4 4 4");
+  }
+  cloud.points.setConstant(NOTHING);
+  EXPECT_EQ(sizes(cloud), "SIZE 4 4 4 4 4 4 4");
+}
+
 TEST(WritePointCloud, pcdKeepsGridAndSensor) {
   const TemporaryFolder folder;
   PointCloud cloud = randomCloud(12, false, false);

@@ -8,6 +8,8 @@
 #include "input.h"
 #include "text_reader.h"
 #include "text_writer.h"
+#include <algorithm>
+#include <limits>
 #include <string>
 
 namespace posture {
@@ -22,12 +24,28 @@ std::string perColumn(const PointCloud& cloud,
          (cloud.colors.rows() != 0 ? color : "");
 }
 
-std::string pcdHeader(const PointCloud& cloud) {
+/// Whether single precision moves every seen point by far less than neighbours are apart.
+bool fitFloats(const Points& points) {
+  constexpr double MOST = 1e-5;  // of the longest side of the box around them
+  double moved = 0;
+  Eigen::RowVector3d low = Eigen::RowVector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::RowVector3d high = -low;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const Eigen::RowVector3d point = points.row(i);
+    if (!point.allFinite()) continue;
+    moved = std::max(moved, (point - point.cast<float>().cast<double>()).cwiseAbs().maxCoeff());
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  return moved == 0 || moved <= (MOST * high - MOST * low).maxCoeff();
+}
+
+std::string pcdHeader(const PointCloud& cloud, bool floats) {
   const auto points = cloud.points.rows();
   const auto width = cloud.width > 0 ? Eigen::Index{cloud.width} : points;
   std::string out = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS" +
                     perColumn(cloud, " x y z", " normal_x normal_y normal_z", " rgb") + "\nSIZE" +
-                    perColumn(cloud, " 4 4 4", " 4 4 4", " 4") + "\nTYPE" +
+                    perColumn(cloud, floats ? " 4 4 4" : " 8 8 8", " 4 4 4", " 4") + "\nTYPE" +
                     perColumn(cloud, " F F F", " F F F", " F") + "\nCOUNT" +
                     perColumn(cloud, " 1 1 1", " 1 1 1", " 1") + "\nWIDTH ";
   appendNumber(out, width);
@@ -51,9 +69,13 @@ void appendRow(std::string& out, const Points& points, Eigen::Index row) {
 }
 
 std::string toPcd(const PointCloud& cloud) {
-  std::string out = pcdHeader(cloud);
+  const bool floats = fitFloats(cloud.points);
+  std::string out = pcdHeader(cloud, floats);
   for (Eigen::Index i = 0; i < cloud.points.rows(); ++i) {
-    appendRow<float>(out, cloud.points, i);
+    if (floats)
+      appendRow<float>(out, cloud.points, i);
+    else
+      appendRow<double>(out, cloud.points, i);
     if (cloud.normals.rows() != 0) appendRow<float>(out, cloud.normals, i);
     if (cloud.colors.rows() == 0) continue;
     // Blue first, opaque: what PCL keeps in the bits of a float.

@@ -35,10 +35,14 @@ namespace posture {
 /// \throws InputError  as readMesh; no point of a cloud is finite.
 Shape readShape(const std::filesystem::path& path);
 
-/// Writes PCD (binary, single precision as PCL's own points have it), PLY (binary, double
-/// precision) or XYZ (text that reads back as the same numbers, with a line of names where there is
-/// more than positions) by the path's ending; whole or not at all. Grid and sensor are kept in PCD
-/// only.
+/// Writes PCD (binary), PLY (binary, double precision) or XYZ (text that reads back as the same
+/// numbers, with a line of names where there is more than positions) by the path's ending; whole or
+/// not at all. Grid and sensor are kept in PCD only.
+///
+/// PCD is in single precision, as PCL's own points are. Where that would move a point by more than
+/// 1e-5 of the longest side of the box around them (far from the origin), positions are double: a
+/// file that PCL reads into a PCLPointCloud2, but not into points such as PointXYZ, whose x, y and
+/// z are floats and stay 0.
 ///
 /// \throws InputError  cannot be written; std::invalid_argument  another ending, or parts of the
 ///         cloud that do not go together.
