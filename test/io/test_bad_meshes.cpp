@@ -113,6 +113,8 @@ TEST(BadMesh, off) {
                   {"a.off", "OFF\n3 1 0\n" + three + "3 0 1 -1\n", "face index -1 is out of"},
                   {"a.off", "OFF\n3 1 0\n" + three + "999 0 1 2\n", "too many for the size"},
                   {"a.off", "OFF\n3 1 0\n" + three + "-3 0 1 2\n", "corners is negative"},
+                  {"a.off", "OFF\n3 1 0\n" + three + "3 0 1 2 9 9\n# x\n3 2 1 0\n", "line 8: more"},
+                  {"a.off", "OFF\n2 0 0\n" + three, "line 5: more than the 2 vertices and 0 faces"},
                   {"a.off", "OFF\n3 0 0\n0 0 0\n1 0\n0 1 0\n", "line 4: a vertex coordinate is"},
                   {"a.off", "OFF\n1 0 0\n0 nan 0\n", "line 3: vertex 0 has a coordinate"},
                   {"a.off", "COFF\n1 0 0\n0 0 0 1 2\n", "line 3: a vertex colour of 2 numbers"},
@@ -171,6 +173,11 @@ TEST(BadMesh, plyBody) {
        {"a.ply", head + three + "200 0 1 2\n", "longer than the rest of the file"},
        {"a.ply", head + "0 0 0\n1 x 0\n0 1 0\n", "line 11: a number: 'x' is not a number"},
        {"a.ply", head + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", "line 11: vertex 1 has"},
+       {"a.ply", head + three + "3 0 1 2\n\n3 2 1 0\n", "line 15: more data than its header says"},
+       {"a.ply", plyHead("ascii", "3", "0") + three + "0 0 9\n", "behind 0 times 'face'"},
+       {"a.ply",
+        binary + std::string(13, '\0') + std::string(13, '\1'),
+        "more data than its header"},
        {"a.ply", plyHead("ascii", "2000000000", "1") + three, "2000000000 times 'vertex'"},
        {"a.ply", plyHead("binary_big_endian", "3", "1"), "truncated: its header says 3"},
        {"a.ply", plyHead("binary_big_endian", "90000000000000000", "1"), "truncated"},
@@ -189,6 +196,9 @@ TEST(BadMesh, stl) {
   const std::string binary = test::binaryStl(test::grid(1, 1, 1, 1), "solid");
   std::string many = binary;
   many.replace(80, 4, "\xff\xff\xff\x7f");
+  std::string few = binary + "end", none = binary;
+  few.replace(80, 1, "\1");
+  none.replace(80, 1, 1, '\0');
   std::string infinite = binary;
   infinite.replace(96, 4, test::raw(std::numeric_limits<float>::infinity()));
   expectMessages({{"a.stl", "solid\n", "line 2: truncated: no 'endsolid'"},
@@ -203,6 +213,8 @@ TEST(BadMesh, stl) {
                   {"a.stl", "short", "truncated: shorter than the head"},
                   {"a.stl", binary.substr(0, 150), "its head says 2 facets, there are 1"},
                   {"a.stl", many, "its head says 2147483647 facets, there are 2"},
+                  {"a.stl", few, "its head says 1 facets, there are 2"},
+                  {"a.stl", none, "its head says 0 facets, there are 2"},
                   {"a.stl", infinite, "vertex 0 has a coordinate that is not finite"}});
 }
 
@@ -231,6 +243,8 @@ TEST(BadMesh, vtk) {
        {"a.vtk", three + "POLYGONS 1 4\n4 0 1 2\n", "do not add up to 4"},
        {"a.vtk", three + "POLYGONS 1 4\n-4 0 1 2\n", "do not add up to 4"},
        {"a.vtk", three + "POLYGONS 2 4\n3 0 1 2\n", "do not add up to 4"},
+       {"a.vtk", three + "POLYGONS 1 8\n3 0 1 2 3 2 1 0\n", "do not add up to 8"},
+       {"a.vtk", three + "POLYGONS 2 4\nOFFSETS int\n0 3\nCONNECTIVITY int\n0 1 2 0\n", "end at 3"},
        {"a.vtk", three + "POLYGONS 1 4\n3 0 1   ", "a number is missing (truncated)"},
        {"a.vtk", three + "POLYGONS 1 4000000000\n3 0 1 2\n", "too many for the size"},
        {"a.vtk", three + "POLYGONS 1 4\n3 0 1 1.5\n", "an index that is not a whole number"},

@@ -220,6 +220,18 @@ TEST(Ply, normalsThatAreNoNumbersAreLeftOut) {
   EXPECT_EQ(file.normals.rows(), 0);
 }
 
+TEST(Ply, whatIsNoFaceMayStandBehindTheLast) {
+  const TriangleMesh mesh = test::grid(1, 1, 1, 1);
+  for (const test::EncodedMesh& file : test::encodeEveryWay(mesh)) {
+    if (file.name.find(".ply") == std::string::npos) continue;
+    SCOPED_TRACE(file.name);
+    EXPECT_EQ(parse(".ply", file.bytes + "\r\n \n" + std::string(20, '\n')).mesh.faces, mesh.faces);
+    if (file.name.find("ascii") != std::string::npos) continue;
+    EXPECT_EQ(parse(".ply", file.bytes + std::string(12, 'x')).mesh.faces, mesh.faces);
+    EXPECT_EQ(parse(".ply", file.bytes + std::string(999, '\0')).mesh.faces, mesh.faces);
+  }
+}
+
 TEST(Stl, capitalsSeveralSolidsAndPolygons) {
   const std::string facet =
       "FACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\n"
@@ -239,8 +251,10 @@ TEST(Stl, blankLinesMayComeBeforeIt) {
 }
 
 TEST(Stl, binaryMayHaveBytesBehindIt) {
-  const TriangleMesh mesh = test::grid(1, 1, 1, 1);
-  EXPECT_EQ(parse(".stl", test::binaryStl(mesh, "solid x") + "more").mesh.faces.rows(), 2);
+  const std::string bytes = test::binaryStl(test::grid(1, 1, 1, 1), "solid x");
+  for (const std::string& more :
+       {std::string("more"), std::string(49, 'x'), std::string(999, '\0')})
+    EXPECT_EQ(parse(".stl", bytes + more).mesh.faces.rows(), 2);
 }
 
 const std::string vtk_head = "# vtk DataFile Version 3.0\n\nASCII\n";

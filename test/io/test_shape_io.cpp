@@ -211,6 +211,19 @@ TEST(Pcd, olderHeadersLeaveThingsOut) {
             1);
 }
 
+TEST(Pcd, whatIsNoPointMayStandBehindTheLast) {
+  std::string data;
+  for (int i = 1; i <= 6; ++i) data += raw(static_cast<float>(i));
+  const std::string header = pcd("x y z", "4 4 4", "F F F", "1 1 1", "2", "1", "");
+  // PCL before 1.9 made the file a page longer than the points.
+  for (const std::string& more :
+       {std::string("\r\n"), std::string(11, 'x'), std::string(4096, '\0')})
+    for (const std::string& bytes : {"binary\n" + data, compressed(storedLzf(data), data.size())}) {
+      const Points points = readCloud("a.pcd", header + bytes + more).points;
+      EXPECT_EQ(points.rows(), 2);
+    }
+}
+
 TEST(Pcd, isKnownBehindAByteOrderMark) {
   EXPECT_EQ(readCloud("a.dat", "\xef\xbb\xbf# .PCD\nFIELDS x y z\nWIDTH 1\nDATA ascii\n3 2 1\n")
                 .points.rows(),
@@ -233,6 +246,9 @@ TEST(Pcd, badFilesAreRefusedInOneLine) {
   expect(header + "ascii\n1 2 3\n4 five 6\n", "line 13: y: 'five' is not a number");
   expect(header + "ascii\n1 2 3\n4,0 5 6\n", "'4,0' is not a number");
   expect(header + "binary\n" + point, "truncated: its header says 2 points");
+  expect(header + "binary\n" + point + point + point,
+         "more than the 2 points of its header: 12 bytes behind them");
+  expect(header + compressed(storedLzf(point + point), 24) + point, "more than the 2 points");
   expect(header + "gzip\n", "DATA 'gzip' where");
   expect(header + "binary_compressed\n1234", "sizes of the compressed points are missing");
   expect(header + compressed(point, 24).substr(0, 30), "truncated: ");

@@ -4,6 +4,7 @@
 #include "color_byte.h"
 #include "pcd_header.h"
 #include "readers.h"
+#include "text.h"
 #include "text_reader.h"
 #include <algorithm>
 #include <array>
@@ -159,6 +160,13 @@ PointCloud readBinary(std::string_view bytes, const PcdHeader& header, const Pcd
   return cloud.take();
 }
 
+/// What is shorter than a point is let pass.
+void checkRest(const Input& input, const PcdHeader& header, std::string_view rest) {
+  if (rest.size() >= header.record() && !isPadding(rest))
+    input.fail("more than the " + std::to_string(header.points) +
+               " points of its header: " + std::to_string(rest.size()) + " bytes behind them");
+}
+
 /// Two lengths, then as many bytes compressed.
 std::string decompress(const Input& input, const PcdHeader& header) {
   const std::string_view bytes = input.bytes().substr(header.size);
@@ -180,6 +188,7 @@ std::string decompress(const Input& input, const PcdHeader& header) {
                                        points.data(),
                                        static_cast<unsigned>(full)) != full)
     input.fail("the compressed points are damaged");
+  checkRest(input, header, bytes.substr(8 + packed));
   return points;
 }
 
@@ -190,9 +199,11 @@ PointCloud readPcd(const Input& input) {
   const PcdLayout layout(header);
   if (!complete(layout.position)) input.fail("its points have no x, y and z");
   if (header.encoding == PcdEncoding::ASCII) return readAscii(input, header, layout);
-  if (header.encoding == PcdEncoding::BINARY)
-    return readBinary(input.bytes().substr(header.size), header, layout);
-  return readBinary(decompress(input, header), header, layout);
+  if (header.encoding == PcdEncoding::COMPRESSED)
+    return readBinary(decompress(input, header), header, layout);
+  const std::string_view bytes = input.bytes().substr(header.size);
+  checkRest(input, header, bytes.substr(header.points * header.record()));
+  return readBinary(bytes, header, layout);
 }
 
 }  // namespace posture

@@ -3,6 +3,7 @@
 #include "mesh_builder.h"
 #include "ply_header.h"
 #include "readers.h"
+#include "text.h"
 #include "text_reader.h"
 #include <array>
 #include <string>
@@ -21,6 +22,7 @@ class AsciiBody {
   static std::size_t smallest(Scalar) { return 2; }
   std::size_t place() const { return text_.offset(); }
   [[noreturn]] void fail(const std::string& what) const { text_.fail(what); }
+  bool hasMore(std::size_t) { return !text_.word().empty(); }
 
  private:
   TextReader text_;
@@ -41,6 +43,9 @@ class BinaryBody {
   static std::size_t smallest(Scalar type) { return sizeOf(type); }
   static std::size_t place() { return NO_OFFSET; }
   [[noreturn]] void fail(const std::string& what) const { input_.fail(what); }
+  bool hasMore(std::size_t record) const {
+    return remaining() >= record && !isPadding(input_.bytes().substr(offset_));
+  }
 
  private:
   const Input& input_;
@@ -88,6 +93,7 @@ class PlyReader {
       }
     }
     if (!has_vertices) input_.fail("there is no element 'vertex' in it");
+    checkEnd(header_.elements.back());
     return builder_.finish(color_range_);
   }
 
@@ -99,6 +105,17 @@ class PlyReader {
     if (smallest != 0 && element.count > body_.remaining() / smallest)
       input_.fail("truncated: its header says " + std::to_string(element.count) + " times " +
                   inQuotes(element.name) + ", too many for the size of the file");
+  }
+
+  /// What is shorter than a record of the last element, with a triangle for a list, is let pass.
+  void checkEnd(const PlyElement& last) {
+    std::size_t record = 0;
+    for (const PlyProperty& property : last.properties)
+      record += property.is_list ? sizeOf(property.count_type) + 3 * sizeOf(property.type)
+                                 : sizeOf(property.type);
+    if (body_.hasMore(record))
+      body_.fail("more data than its header says, behind " + std::to_string(last.count) +
+                 " times " + inQuotes(last.name));
   }
 
   void readVertices(const PlyElement& element) {

@@ -80,6 +80,9 @@ MeshFile readBinaryStl(const Input& input) {
   if (facets > whole_facets)
     input.fail("truncated: its head says " + std::to_string(facets) + " facets, there are " +
                std::to_string(whole_facets));
+  if (facets < whole_facets && !isPadding(bytes.substr(HEAD_SIZE + 4 + facets * FACET_SIZE)))
+    input.fail("its head says " + std::to_string(facets) + " facets, there are " +
+               std::to_string(whole_facets));
   MeshBuilder builder(input, Unseen::REFUSED);
   builder.reserve(std::size_t{3} * facets, facets);
   std::vector<std::int64_t> corners(3);

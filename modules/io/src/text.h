@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 
@@ -22,6 +23,13 @@ inline std::string_view trimmed(std::string_view text) {
   while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
   while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
   return text;
+}
+
+/// Whether bytes behind the data of a binary file say nothing: programs end it with a line, or
+/// (PCL before 1.9) with zeros up to a page.
+inline bool isPadding(std::string_view bytes) {
+  return std::all_of(
+      bytes.begin(), bytes.end(), [](char c) { return c == '\0' || c == '\n' || isBlank(c); });
 }
 
 }  // namespace posture

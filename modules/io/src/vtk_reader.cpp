@@ -120,6 +120,9 @@ class VtkReader {
         text_.fail("an offset of a polygon is out of range: " + std::to_string(offset));
       last = offset;
     }
+    if (last != static_cast<std::int64_t>(corner_count))
+      text_.fail("the offsets of the polygons end at " + std::to_string(last) + ", not at " +
+                 std::to_string(corner_count));
     return cells;
   }
 
@@ -130,13 +133,18 @@ class VtkReader {
     std::size_t at = 0;
     for (std::size_t i = 0; i < count; ++i) {
       if (at >= size || values[at] < 0 || static_cast<std::size_t>(values[at]) >= size - at)
-        text_.fail("the sizes of the polygons do not add up to " + std::to_string(size));
+        failSizes(size);
       const auto begin = values.begin() + static_cast<std::ptrdiff_t>(at) + 1;
       cells.corners.insert(cells.corners.end(), begin, begin + values[at]);
       cells.offsets.push_back(static_cast<std::int64_t>(cells.corners.size()));
       at += 1 + static_cast<std::size_t>(values[at]);
     }
+    if (at != size) failSizes(size);
     return cells;
+  }
+
+  [[noreturn]] void failSizes(std::size_t size) const {
+    text_.fail("the sizes of the polygons do not add up to " + std::to_string(size));
   }
 
   void addUnstructuredCells() {
