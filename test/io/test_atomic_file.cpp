@@ -98,6 +98,29 @@ TEST(AtomicFile, writesThroughALink) {
   EXPECT_EQ(bytesOf(path), "new");
 }
 
+TEST(AtomicFile, writesWhatALinkPointsToThoughItIsNotThere) {
+  const TemporaryFolder folder;
+  const fs::path link = folder.path() / "link.txt", second = folder.path() / "second.txt";
+  fs::create_directory(folder.path() / "deep");
+  fs::create_symlink("second.txt", link);
+  fs::create_symlink("deep/out.txt", second);
+  writeFile(link, "new");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_TRUE(fs::is_symlink(second));
+  EXPECT_EQ(bytesOf(folder.path() / "deep" / "out.txt"), "new");
+}
+
+TEST(AtomicFile, refusesLinksThatLeadNowhere) {
+  const TemporaryFolder folder;
+  const fs::path loop = folder.path() / "loop.txt", lost = folder.path() / "lost.txt";
+  fs::create_symlink("loop.txt", loop);
+  fs::create_symlink("no/out.txt", lost);
+  EXPECT_THAT(inputErrorOf([&] { writeFile(loop, "new"); }), HasSubstr("too many links"));
+  EXPECT_THAT(inputErrorOf([&] { writeFile(lost, "new"); }),
+              HasSubstr("no/out.txt: cannot be written: No such file"));
+  EXPECT_TRUE(fs::is_symlink(loop) && fs::is_symlink(lost));
+}
+
 TEST(AtomicFile, saysWhyAPlaceCannotBeWritten) {
   const TemporaryFolder folder;
   const fs::path missing = folder.path() / "no" / "out.txt";

@@ -23,6 +23,18 @@ std::string reasonOf(int error) {
   return error == 0 ? "unknown reason" : std::generic_category().message(error);
 }
 
+/// What a link stands for, be it there or not, through links to links.
+fs::path behindLinks(fs::path path) {
+  constexpr int MOST_LINKS = 40;  // as of the system
+  std::error_code error;
+  for (int i = 0; fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    if (i == MOST_LINKS) failToWrite(path, "too many links lead to each other");
+    path = path.parent_path() / fs::read_symlink(path, error);
+    if (error) failToWrite(path, error.message());
+  }
+  return path;
+}
+
 fs::path temporaryBeside(const fs::path& path) {
   static std::atomic<unsigned> counter{0};
   const std::string name = ".posture-" + std::to_string(::getpid()) + "-" +
@@ -57,8 +69,7 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   if (fs::exists(status) && !fs::is_regular_file(status)) failToWrite(path_, "not a regular file");
   if (!path_.has_filename()) failToWrite(path_, "no file name");
   // The move would replace a link by a file; what it points to is meant.
-  if (fs::exists(status) && fs::is_symlink(fs::symlink_status(path_, ignored)))
-    path_ = fs::canonical(path_, ignored);
+  path_ = behindLinks(path_);
   temporary_ = temporaryBeside(path_);
   unnamed_ = openUnnamed(path_.parent_path());
   if (unnamed_ >= 0) stream_.open(openFilePath(unnamed_), std::ios::binary);
