@@ -55,7 +55,7 @@ int countOf(const std::vector<Json>& results, const std::string& status) {
 void benchmark(const BenchmarkOptions& options, const Common& common) {
   const std::vector<BenchmarkPair> pairs = readPairList(options.list);
   options.selection.check(pairs);
-  for (const BenchmarkPair& pair : pairs) checkText(pair);
+  checkTexts(options.list, pairs);
   makeFolder(options.folder / "pairs");
   checkWritable(options.folder / "RESULTS.md");  // now, not after hours
 

@@ -60,7 +60,7 @@ std::vector<BenchmarkPair> pairsOf(const CompareOptions& options) {
       throw CLI::ValidationError("--truth and --mirror", "are for SOURCE and TARGET");
     const std::vector<BenchmarkPair> pairs = listOf(options);
     options.selection.check(pairs);
-    for (const BenchmarkPair& pair : pairs) checkText(pair);
+    checkTexts(options.source, pairs);
     return pairs;
   }
   if (!options.selection.empty())

@@ -66,6 +66,14 @@ void checkText(const BenchmarkPair& pair) {
   }
 }
 
+void checkTexts(const std::filesystem::path& list, const std::vector<BenchmarkPair>& pairs) {
+  try {
+    for (const BenchmarkPair& pair : pairs) checkText(pair);
+  } catch (const InputError& error) {
+    throw InputError(list.string() + ": " + error.what());
+  }
+}
+
 std::vector<SurfacePoint> atVertices(std::vector<SurfacePoint> places) {
   for (SurfacePoint& place : places) place.face = -1;
   return places;

@@ -30,6 +30,8 @@ Json describePair(const BenchmarkPair& pair, const std::string& method);
 
 /// \throws InputError  its files' names or its texts are no UTF-8, in which results are written.
 void checkText(const BenchmarkPair& pair);
+/// The same of all pairs of a list, which the message names.
+void checkTexts(const std::filesystem::path& list, const std::vector<BenchmarkPair>& pairs);
 
 /// The places of a map at vertices, as the field measures it.
 std::vector<SurfacePoint> atVertices(std::vector<SurfacePoint> places);

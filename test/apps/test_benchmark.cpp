@@ -114,7 +114,7 @@ TEST_F(Benchmark, TextsThatAreNoUtf8AreRefusedBeforeAnythingRuns) {
                                                          "fer\n";
   const auto end = published();
   EXPECT_EQ(end.exit_code, 3);
-  EXPECT_THAT(end.err, HasSubstr("pair latin"));
+  EXPECT_THAT(end.err, HasSubstr("pairs.csv: pair latin"));
   EXPECT_FALSE(fs::exists(out_));
 }
 

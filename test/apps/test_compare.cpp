@@ -418,6 +418,11 @@ TEST_F(Compare, SaysWhatItCannotUse) {
   EXPECT_EQ(missing.exit_code, 3);
   EXPECT_TRUE(test::saidWhyInOneLine(missing)) << missing.err;
   EXPECT_FALSE(fs::exists(out_ / "runs"));
+  std::ofstream(folder_ / "latin.csv") << "id,source,target,note\na,flat.off,bent.off,K\xe4"
+                                          "fer\n";
+  const auto latin = compare({folder_ / "latin.csv"});
+  EXPECT_EQ(latin.exit_code, 3);
+  EXPECT_THAT(latin.err, HasSubstr("latin.csv: pair a"));
   const auto no_truth =
       compare({folder_ / "flat.off", folder_ / "bent.off", "--truth", folder_ / "none.txt"});
   EXPECT_EQ(no_truth.exit_code, 3);

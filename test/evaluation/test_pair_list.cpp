@@ -77,6 +77,9 @@ TEST_F(PairList, SaysWhatIsWrong) {
   EXPECT_THAT(errorOf(head + "a,b\n"), HasSubstr("record 1 has 2 fields, the header 3"));
   EXPECT_THAT(errorOf(head + "a,b,c\na,b,c\n"), HasSubstr("used twice"));
   EXPECT_THAT(errorOf(head + "../a,b,c\n"), HasSubstr("cannot name a file"));
+  EXPECT_THAT(errorOf(head + std::string(201, 'i') + ",b,c\n"),
+              HasSubstr("pairs.csv: the id 'iiiiiiiiiiiiiiiiiiiiiiii...' is longer than 200"));
+  EXPECT_EQ(read(head + std::string(200, 'i') + ",b,c\n").size(), 1u);
   EXPECT_THAT(errorOf(head + "a,,c\n"), HasSubstr("lacks its source"));
   EXPECT_THAT(errorOf(head + "a,\"b,c\n"), HasSubstr("never closed"));
   EXPECT_THROW(readPairList(folder_ / "none.csv"), InputError);

@@ -28,6 +28,9 @@ std::string quotedField(const std::string& text, std::size_t& at) {
   throw InputError("a quote that is never closed");
 }
 
+/// File systems take names of 255 bytes; results have up to 50 behind the id.
+constexpr std::size_t LONGEST_ID = 200;
+
 bool isFileName(const std::string& id) {
   return !id.empty() && id.front() != '.' && std::all_of(id.begin(), id.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
@@ -67,6 +70,9 @@ BenchmarkPair toPair(const Row& row, const std::filesystem::path& folder) {
   pair.target_surface = place(row["target_surface"]);
   pair.target_surface_vertices = place(row["target_surface_vertices"]);
   if (!isFileName(pair.id)) throw InputError("the id '" + pair.id + "' cannot name a file");
+  if (pair.id.size() > LONGEST_ID)
+    throw InputError("the id '" + pair.id.substr(0, 24) + "...' is longer than " +
+                     std::to_string(LONGEST_ID) + " characters and cannot name a file");
   if (pair.source.empty() || pair.target.empty())
     throw InputError("pair " + pair.id + " lacks its source or target");
   return pair;
