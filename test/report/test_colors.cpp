@@ -84,6 +84,13 @@ Correspondence threePlaces() {
   return correspondence;
 }
 
+TEST(PlaceColors, whatLiesFarOffChangesNoOther) {
+  const Points body_alone = body().vertices;
+  Points with_outliers(body_alone.rows() + 2, 3);
+  with_outliers << body_alone, Points::Constant(1, 3, 1e38), Points::Constant(1, 3, -100);
+  EXPECT_EQ(placeColors(with_outliers).topRows(body_alone.rows()), placeColors(body_alone));
+}
+
 TEST(TransferColors, byPlaceOnTheTarget) {
   const TriangleMesh target = test::grid(2, 1, 2, 1);
   Colors source(3, 3);

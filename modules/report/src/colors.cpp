@@ -64,12 +64,39 @@ class ColorSums {
   Vector weight_;
 };
 
+/// Of the rows, those that lie no farther beyond the middle 98 % than these are wide, along each
+/// axis: a scan's outliers would leave the body in one colour.
+std::vector<int> withoutFarOnes(const Points& points, std::vector<int> rows) {
+  if (rows.empty()) return rows;
+  RowVector3d low, high;
+  for (int c = 0; c < 3; ++c) {
+    std::vector<double> along;
+    for (int i : rows) along.push_back(points(i, c));
+    const auto at = [&](double share) {
+      const auto nth = along.begin() + std::lround(share * static_cast<double>(along.size() - 1));
+      std::nth_element(along.begin(), nth, along.end());
+      return *nth;
+    };
+    const double first = at(0.01), last = at(0.99);
+    low(c) = first - (last - first);
+    high(c) = last + (last - first);
+  }
+  rows.erase(std::remove_if(rows.begin(),
+                            rows.end(),
+                            [&](int i) {
+                              return (points.row(i).array() < low.array()).any() ||
+                                     (points.row(i).array() > high.array()).any();
+                            }),
+             rows.end());
+  return rows;
+}
+
 }  // namespace
 
 PlaceColoring::PlaceColoring(const Points& given) {
-  const std::vector<int> seen = finiteRows(given);
-  if (seen.empty()) return;
-  const Points vertices = given(seen, Eigen::all);
+  const std::vector<int> body = withoutFarOnes(given, finiteRows(given));
+  if (body.empty()) return;
+  const Points vertices = given(body, Eigen::all);
   centre_ = vertices.colwise().mean();
   const Points centred = vertices.rowwise() - centre_;
   const Eigen::Matrix3d spread = centred.transpose() * centred;

@@ -14,8 +14,8 @@ namespace posture {
 
 /// Gives every place of a shape its colour: smooth over the shape and different at its far ends and
 /// on its two sides. The colour is a place in the principal axes of the shape it was made for, so
-/// equal places get equal colours wherever they are asked for. What is not finite is no place, and
-/// grey.
+/// equal places get equal colours wherever they are asked for; what lies far off has those of its
+/// ends. What is not finite is no place, and grey.
 class PlaceColoring {
  public:
   /// \param vertices  n x 3: the shape.
