@@ -152,6 +152,20 @@ TEST_P(EveryMethod, EndsWithoutAnAlignmentWhereThereIsNone) {
   EXPECT_EQ(with(body(), few), "7 points, expected 10 or more");
 }
 
+/// The step has no single solution there, and PCL's search ends the program at no number.
+TEST_P(EveryMethod, EndsOnAPlane) {
+  Rng rng(5);
+  PointCloud plane;
+  plane.points = Points::Zero(600, 3);
+  for (int i = 0; i < 600; ++i) plane.points.row(i) << rng.uniform(), rng.uniform(), 0;
+  const RigidResult result = registerRigidly(GetParam(), plane, plane);
+  EXPECT_TRUE(result.T_target_source.matrix().allFinite());
+  if (GetParam() == RigidMethod::ICP_POINT_TO_PLANE) {
+    EXPECT_FALSE(result.converged);
+    EXPECT_TRUE(result.T_target_source.matrix().isIdentity());
+  }
+}
+
 TEST_P(EveryMethod, LeavesPclAsTalkativeAsItWas) {
   const auto before = pcl::console::getVerbosityLevel();
   testing::internal::CaptureStderr();

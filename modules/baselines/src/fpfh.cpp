@@ -4,6 +4,7 @@
 #include <pcl/filters/voxel_grid.h>
 #include <pcl/registration/sample_consensus_prerejective.h>
 
+#include "finite_search.h"
 #include "local_methods.h"
 #include "normals.h"
 #include "pcl_cloud.h"
@@ -85,6 +86,7 @@ Alignment alignFeatures(const LocalCloud& source, const LocalCloud& target, std:
   registration.setSourceFeatures(from.features);
   registration.setInputTarget(to.points);
   registration.setTargetFeatures(to.features);
+  registration.setSearchMethodTarget(pcl::make_shared<FiniteSearch<pcl::PointNormal>>());
   registration.setMaximumIterations(50000);
   registration.setNumberOfSamples(3);
   registration.setCorrespondenceRandomness(NEAREST_FEATURES);

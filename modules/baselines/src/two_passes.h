@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "finite_search.h"
 #include "local_methods.h"
 #include <cmath>
 #include <limits>
@@ -17,7 +18,13 @@ template <class Registration>
 Alignment pass(Registration& registration, const Eigen::Matrix4d& start, double largest_distance) {
   typename Registration::PointCloudSource moved;
   registration.setMaxCorrespondenceDistance(largest_distance);
-  registration.align(moved, start.cast<typename Registration::Matrix4::Scalar>());
+  registration.setSearchMethodTarget(
+      pcl::make_shared<FiniteSearch<typename Registration::PointCloudTarget::PointType>>());
+  try {
+    registration.align(moved, start.cast<typename Registration::Matrix4::Scalar>());
+  } catch (const NoMotion&) {
+    return {start, false};
+  }
   const Eigen::Matrix4d motion = registration.getFinalTransformation().template cast<double>();
   if (!motion.allFinite()) return {start, false};
   return {motion, registration.hasConverged()};
