@@ -41,6 +41,14 @@ TEST(Orientation, LooksOutOfATorusAlsoInItsHole) {
   EXPECT_EQ(agreeing(normals, truth), 4000);
 }
 
+TEST(Orientation, IsToldByNoPointAtTheSamePlace) {
+  const Points once = test::torusPoints(2000, 1, 0.3), points = test::joined(once, once);
+  const Points truth = torusNormals(points, 1);
+  Points normals = scrambled(truth, 1);
+  orient(points, {}, normals);
+  EXPECT_EQ(agreeing(normals, truth), 4000);
+}
+
 TEST(Orientation, OfAClosedBodyDoesNotBelieveNormalsThatLookInwards) {
   const Points points = test::torusPoints(4000, 1, 0.3), truth = torusNormals(points, 1);
   Points normals = scrambled(truth, 1);

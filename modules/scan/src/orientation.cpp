@@ -50,7 +50,10 @@ std::vector<Link> surfaceLinks(const Points& points,
   forEach(n, [&](int i) {
     for (int k = 0; k < columns; ++k) {
       const int j = neighbors(i, k);
-      if (j < 0 || (points.row(j) - points.row(i)).norm() > 5 * spacing.at[i]) break;
+      if (j < 0) break;
+      const double distance = (points.row(j) - points.row(i)).norm();
+      if (distance > 5 * spacing.at[i]) break;
+      if (distance == 0) continue;  // there is no way from one to the other
       const auto of_j = neighbors.row(j).head(columns);
       const bool both = std::find(of_j.begin(), of_j.end(), i) != of_j.end();
       if (i < j || !both)
