@@ -39,9 +39,9 @@ void expectManifold(const TriangleMesh& mesh) {
   EXPECT_NO_THROW(HalfEdgeMesh(mesh.faces, static_cast<int>(mesh.vertices.rows())));
 }
 
-std::string refusal(const Points& points) {
+std::string refusal(const Points& points, const ReconstructionOptions& options = {}) {
   try {
-    reconstruct(cloudOf(points));
+    reconstruct(cloudOf(points), options);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -333,6 +333,8 @@ TEST(Reconstruct, RefusesWhatIsNoSurface) {
   Points line(1000, 3);
   for (int i = 0; i < 1000; ++i) line.row(i) << i, 2.0 * i, 0.1 * i;
   EXPECT_EQ(refusal(line), "has all its points on one line");
+  line.rightCols(2).setZero();
+  EXPECT_EQ(refusal(line), "has all its points on one line");
 }
 
 TEST(Reconstruct, RefusesNormalsThatDoNotFit) {
@@ -354,6 +356,16 @@ TEST_P(OtherSurfaces, AreManifoldAndLookOutwards) {
   }
   // The greedy projection folds single triangles over.
   EXPECT_LT(inward, normals.rows() / 50);
+}
+
+TEST_P(OtherSurfaces, AreNotMadeOfLines) {
+  Points line = Points::Zero(500, 3), circle = line;
+  for (int i = 0; i < 500; ++i) {
+    line(i, 0) = 0.002 * i;
+    circle.row(i) << std::cos(2 * M_PI * i / 500), std::sin(2 * M_PI * i / 500), 0;
+  }
+  EXPECT_EQ(refusal(line, {GetParam()}), "has all its points on one line");
+  EXPECT_EQ(refusal(circle, {GetParam()}), "shows no surface");
 }
 
 INSTANTIATE_TEST_SUITE_P(OfPcl,

@@ -88,7 +88,7 @@ TriangleMesh meshSamples(const OrientedPoints& samples,
       mesh = tangentSurface(samples, search, neighbors, h);
       break;
     case SurfaceMethod::POISSON:
-      mesh = untangled(samples, poissonSurface(samples, h.median));
+      mesh = untangled(samples, poissonSurface(samples, neighbors, h.median));
       break;
     case SurfaceMethod::GREEDY:
       mesh = untangled(samples, greedySurface(samples, h.median));

@@ -4,7 +4,8 @@
 
 #include <posture/core/error.h>
 
-#include "local_plane.h"
+#include <Eigen/Eigenvalues>
+
 #include "normals.h"
 #include "outliers.h"
 #include "pcl_surfaces.h"
@@ -21,11 +22,15 @@ namespace {
 constexpr int NEIGHBORS = 32;
 
 void requireBreadth(const Points& points) {
-  LocalPlane all;
-  for (int i = 0; i < points.rows(); ++i) all.add(points.row(i).transpose(), 1);
+  const Points centred = points.rowwise() - points.colwise().mean();
+  const Eigen::Matrix3d covariance =
+      centred.transpose() * centred / static_cast<double>(points.rows());
+  // Not computeDirect(), whose errors may look like breadth.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
+  const double breadth_sq = solver.eigenvalues()[1];
   const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
   // Rounding leaves points of a line this broad.
-  if (!(all.fit().breadth > 1e-6 * extent)) throw InputError("has all its points on one line");
+  if (!(breadth_sq > 1e-12 * extent * extent)) throw InputError("has all its points on one line");
 }
 
 /// One point a cell, where the surface shows only in the mean of many.

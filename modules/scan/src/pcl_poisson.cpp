@@ -4,6 +4,7 @@
 #include <posture/mesh/normals.h>
 #include <posture/mesh/point_index.h>
 
+#include "local_plane.h"
 #include "pcl_surfaces.h"
 #include "poisson_plugin.h"
 #include <algorithm>
@@ -23,9 +24,24 @@ PoissonFunction loadPoisson() {
   throw std::runtime_error(std::string("the Poisson surface is not installed: ") + dlerror());
 }
 
+/// Whether a point and its 16 nearest neighbours are in a line: they tell no normal.
+bool isInLine(const Points& points, const NeighborTable& neighbors, int i) {
+  const int count = std::min(16, neighborCount(neighbors, i));
+  if (count == 0) return true;
+  LocalPlane plane;
+  plane.add(Eigen::Vector3d::Zero(), 1);
+  for (int k = 0; k < count; ++k)
+    plane.add((points.row(neighbors(i, k)) - points.row(i)).transpose(), 1);
+  constexpr double NARROW = 0.05;  // at the end of a plane's corner 0.2 and more
+  return plane.fit().breadth <
+         NARROW * (points.row(neighbors(i, count - 1)) - points.row(i)).norm();
+}
+
 }  // namespace
 
-TriangleMesh poissonSurface(const OrientedPoints& oriented, double spacing) {
+TriangleMesh poissonSurface(const OrientedPoints& oriented,
+                            const NeighborTable& neighbors,
+                            double spacing) {
   static const PoissonFunction poisson = loadPoisson();
   const double extent =
       (oriented.points.colwise().maxCoeff() - oriented.points.colwise().minCoeff()).maxCoeff();
@@ -35,6 +51,9 @@ TriangleMesh poissonSurface(const OrientedPoints& oriented, double spacing) {
   TriangleMesh mesh;
   poisson(oriented, depth, mesh);
 
+  std::vector<char> in_line(oriented.points.rows());
+  for (int i = 0; i < oriented.points.rows(); ++i)
+    in_line[i] = isInLine(oriented.points, neighbors, i);
   const PointIndex index(oriented.points);
   const Points normals = vertexNormals(mesh);
   const int n = static_cast<int>(mesh.vertices.rows());
@@ -42,7 +61,7 @@ TriangleMesh poissonSurface(const OrientedPoints& oriented, double spacing) {
   forEach(n, [&](int v) {
     const auto near = index.nearest(mesh.vertices.row(v));
     // Of either sign: which way PCL turns its faces is the caller's business.
-    supported[v] = near.distance <= 2 * spacing &&
+    supported[v] = near.distance <= 2 * spacing && !in_line[near.index] &&
                    std::abs(normals.row(v).dot(oriented.normals.row(near.index))) > 0.2;
   });
   std::vector<int> kept;

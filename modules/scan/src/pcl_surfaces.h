@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "neighbors.h"
 #include "smoothing.h"
 
 namespace posture {
@@ -11,8 +12,11 @@ namespace posture {
 OrientedPoints movingLeastSquares(const Points& points, double radius);
 
 /// PCL's Poisson surface (Kazhdan, Bolitho and Hoppe 2006), cut back to the faces near a point
-/// whose normal agrees; its vertices are its own.
-TriangleMesh poissonSurface(const OrientedPoints& oriented, double spacing);
+/// whose normal agrees and that does not lie in a line with its neighbours; its vertices are its
+/// own.
+TriangleMesh poissonSurface(const OrientedPoints& oriented,
+                            const NeighborTable& neighbors,
+                            double spacing);
 
 /// PCL's greedy projection (Marton, Rusu and Beetz 2009); the vertices are the points.
 TriangleMesh greedySurface(const OrientedPoints& oriented, double spacing);
