@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/files.h"
 #include "support/shapes.h"
 #include <cmath>
 #include <limits>
@@ -295,6 +296,34 @@ TEST(CleanMesh, refusesMeshesWithoutSurface) {
     strip.vertices *= unit;
     EXPECT_NO_THROW(cleanMesh(strip)) << unit;
   }
+}
+
+TEST(CleanMesh, refusesUnitsThatItCannotMeasureIn) {
+  const TriangleMesh sphere = test::sphere(2);
+  TriangleMesh mesh = sphere;
+  const auto refusal = [&] { return test::inputErrorOf([&] { cleanMesh(mesh); }); };
+  for (const double unit : {1e-300, 1e-150, 1e-60}) {
+    mesh.vertices = unit * sphere.vertices;
+    EXPECT_EQ(refusal(), "is too small to compute with") << unit;
+  }
+  for (const double unit : {1e60, 1e150, 1e300}) {
+    mesh.vertices = unit * sphere.vertices;
+    EXPECT_EQ(refusal(), "has coordinates too large to compute with") << unit;
+  }
+  for (const double unit : {1e-49, 1e49}) {
+    mesh.vertices = unit * sphere.vertices;
+    EXPECT_NO_THROW(cleanMesh(mesh)) << unit;
+  }
+}
+
+TEST(CleanMesh, countsPointsInNoFaceAmongTheCoordinates) {
+  TriangleMesh mesh = test::sphere(2);
+  mesh.vertices.conservativeResize(mesh.vertices.rows() + 1, 3);
+  mesh.vertices.bottomRows(1) << 1.7e308, -1.7e308, 0;
+  EXPECT_EQ(test::inputErrorOf([&] { cleanMesh(mesh); }),
+            "has coordinates too large to compute with");
+  mesh.vertices.bottomRows(1) << 3.4e38, -3.4e38, 0;
+  EXPECT_EQ(cleanMesh(mesh).summary.unreferenced_vertices, 1);
 }
 
 TEST(CornerPlaces, countsAPlaceOnceHoweverOftenTheFileHasIt) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -103,6 +104,17 @@ TEST(PointIndex, answersWhatIsOutOfTheReachOfSinglePrecision) {
 }
 
 TEST(PointIndex, refusesNoPoints) { EXPECT_THROW(PointIndex(Points(0, 3)), std::invalid_argument); }
+
+TEST(PointIndex, refusesWhatIsNotFinite) {
+  Points points = Points::Identity(3, 3);
+  const PointIndex index(points);
+  for (const double not_finite : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+    EXPECT_THROW(index.nearest({0, not_finite, 0}), std::invalid_argument);
+    EXPECT_THROW(index.within({0, 0, not_finite}, 1), std::invalid_argument);
+    points(1, 1) = not_finite;
+    EXPECT_THROW(PointIndex{points}, std::invalid_argument);
+  }
+}
 
 }  // namespace
 }  // namespace posture

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "clean_sides.h"
+#include "support/files.h"
 #include "support/shapes.h"
+#include <string>
 
 namespace posture {
 namespace {
@@ -54,6 +56,14 @@ TEST(CleanSides, doesNotTurnAMeshForTheSurfaceOfACloud) {
   SideSurface source{ball(true, false), {}, {}}, target{ball(false, true), {}, {}};
   source.scan.emplace();
   EXPECT_TRUE(looksOutward(cleanSides(source, target).source));
+}
+
+TEST(CleanSides, namesTheSideThatCannotBeMeasured) {
+  SideSurface good{ball(false, false), {}, {}}, large = good;
+  large.mesh.vertices *= 1e100;
+  const std::string why = " has coordinates too large to compute with";
+  EXPECT_EQ(test::inputErrorOf([&] { cleanSides(large, good); }), "source" + why);
+  EXPECT_EQ(test::inputErrorOf([&] { cleanSides(good, large); }), "target" + why);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include "place_on_mesh.h"
 #include "support/shapes.h"
+#include <cmath>
+#include <stdexcept>
 
 namespace posture {
 namespace {
@@ -35,6 +37,13 @@ TEST(MeshLocator, FindsNoFartherPlaceThanADenseSearch) {
     EXPECT_GE(place.on_mesh.barycentric.minCoeff(), 0);
     EXPECT_TRUE((corners.array() == place.on_mesh.vertex).any());
   }
+}
+
+TEST(MeshLocator, RefusesPlacesToWhichThereIsNoDistance) {
+  const TriangleMesh sphere = test::sphere(1);
+  const MeshLocator locator(sphere);
+  EXPECT_THROW(locator.nearest({1e200, 0, 0}), std::invalid_argument);
+  EXPECT_THROW(locator.nearest({0, std::nan(""), 0}), std::invalid_argument);
 }
 
 }  // namespace

@@ -308,6 +308,27 @@ TEST_P(ReconstructTorus, TurnsMovesAndScalesWithThePoints) {
   }
 }
 
+TEST_P(ReconstructTorus, PlacesThePointsAlikeInAnyUnit) {
+  const Points points = torus(1500, 0.3);
+  const ScanSurface given = reconstructed(points);
+  for (const double unit : {0x1p-160, 0x1p-30, 0x1p30, 0x1p160}) {
+    const ScanSurface surface = reconstructed(unit * points);
+    EXPECT_EQ(surface.summary.outliers, given.summary.outliers);
+    for (std::size_t i = 0; i < given.on_mesh.size(); ++i) {
+      ASSERT_EQ(surface.on_mesh[i].vertex, given.on_mesh[i].vertex) << unit;
+      ASSERT_NEAR(surface.offset[i] / unit, given.offset[i], 1e-12) << unit;
+    }
+  }
+}
+
+TEST_P(ReconstructTorus, RefusesUnitsThatItCannotPlaceThePointsIn) {
+  const Points points = torus(1500, 0.3);
+  for (const double unit : {1e-300, 1e-160, 1e-60})
+    EXPECT_EQ(refusal(unit * points), "is too small to compute with") << unit;
+  for (const double unit : {1e60, 1e160, 1e290, 1e300})
+    EXPECT_EQ(refusal(unit * points), "has coordinates too large to compute with") << unit;
+}
+
 TEST_P(ReconstructTorus, WorksFarFromTheOriginAndBesideFarOutliers) {
   const Points points = torus(3000, 0.3);
   const Points far_away = points.rowwise() + Eigen::RowVector3d(1e6, -3e6, 2e6);

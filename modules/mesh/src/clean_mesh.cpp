@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/computable.h>
 #include <posture/core/error.h>
 #include <posture/mesh/clean_mesh.h>
 #include <posture/mesh/connected_parts.h>
@@ -79,6 +80,11 @@ void keepPieces(const TriangleMesh& welded, const ConnectedParts& parts, CleanMe
   orientPieces(clean.pieces);
 }
 
+/// Not norm(), whose squares may vanish.
+double extentOf(const Points& vertices) {
+  return (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).maxCoeff();
+}
+
 /// What rounding leaves between corners in a line, as read or far from the origin.
 double areaOfRounding(const Points& vertices) {
   const double extent = (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).norm();
@@ -106,6 +112,7 @@ CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
   const int n = static_cast<int>(input.vertices.rows());
   if (input.faces.rows() == 0) throw InputError("has no faces");
   requireMesh(input);
+  requireNotTooLarge(input.vertices.cwiseAbs().maxCoeff());
   CleanMesh clean;
   CleaningSummary& summary = clean.summary;
   const std::vector<int> representative = weld(input.vertices);
@@ -146,6 +153,7 @@ CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
 
   clean.mesh.faces = toFaces(faces);
   clean.mesh.vertices = input.vertices(clean.input_vertex, Eigen::all);
+  requireNotTooSmall(extentOf(clean.mesh.vertices));
   if (!(parts.area[parts.largest] > areaOfRounding(clean.mesh.vertices)))
     throw InputError("has only faces without area");
   const Orientation orientation = orientFaces(clean.mesh, facing);

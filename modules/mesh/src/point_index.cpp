@@ -26,6 +26,7 @@ struct PointIndex::Tree {
   /// From far off, single precision tells no point from the next, and in the end squares nothing.
   /// What is farther is drawn nearer, along its way to the centre.
   Query local(const Eigen::Vector3d& query) const {
+    require(query.allFinite(), "PointIndex: from a place that is not finite");
     constexpr double FAR = 1e3, FARTHEST = 1e305, ROUNDING = 1e-6;
     const Eigen::Vector3d p = ((query - center) / unit).cwiseMax(-FARTHEST).cwiseMin(FARTHEST);
     const double size = std::max(p.cwiseAbs().maxCoeff(), 1.0);
@@ -43,6 +44,7 @@ struct PointIndex::Tree {
 
 PointIndex::PointIndex(const Points& points) {
   require(points.rows() > 0, "PointIndex: no points");
+  require(points.allFinite(), "PointIndex: a point that is not finite");
   auto tree = std::make_unique<Tree>();
   tree->center = points.colwise().mean();
   const double extent = (points.rowwise() - tree->center.transpose()).cwiseAbs().maxCoeff();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "distinct_points.h"
 
+#include <posture/core/computable.h>
 #include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
 #include <posture/core/median.h>
@@ -70,8 +71,8 @@ ScanFrame roughFrame(const Points& points) {
     std::nth_element(values.begin(), values.begin() + most, values.end());
     extent = std::max(extent, values[most]);
   }
-  constexpr double LARGEST = 1e300;
-  if (!(extent < LARGEST)) throw InputError("has coordinates too large to compute with");
+  requireNotTooLarge(frame.center.cwiseAbs().maxCoeff() + extent);
+  requireNotTooSmall(extent);
   if (extent > 0) frame.unit = std::exp2(std::round(std::log2(extent)));
   return frame;
 }

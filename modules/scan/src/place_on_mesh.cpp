@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "place_on_mesh.h"
 
+#include <posture/core/error.h>
 #include <posture/mesh/nearest_in_triangle.h>
 
 #include <Eigen/Geometry>
@@ -98,6 +99,7 @@ MeshLocator::~MeshLocator() = default;
 MeshLocator::Place MeshLocator::nearest(const Eigen::Vector3d& point) const {
   Tree::Best best;
   tree_->search(0, point, best);
+  require(best.face >= 0, "MeshLocator: a distance that is not finite");
   Place place{{-1, best.face, best.barycentric}, std::sqrt(best.distance_sq)};
   double shortest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
