@@ -8,6 +8,7 @@
 
 #include "child_run.h"
 #include "pair_data.h"
+#include "register_files.h"
 #include "target_places.h"
 #include <chrono>
 #include <omp.h>
@@ -73,7 +74,8 @@ Json registerAndJudge(const BenchmarkPair& pair, Method method, const PairData& 
   const auto start = std::chrono::steady_clock::now();
   RegistrationOptions options;
   options.method = method;
-  const RegistrationResult result = registerShapes(data.source, data.target, options);
+  const RegistrationResult result =
+      registerFiles(pair.source, data.source, pair.target, data.target, options);
   const double seconds = data.read_seconds + secondsSince(start);
   const double memory = peakMemoryMib();
 

@@ -13,6 +13,7 @@
 #include "child_run.h"
 #include "compare_variation.h"
 #include "pair_data.h"
+#include "register_files.h"
 #include "target_places.h"
 #include <omp.h>
 
@@ -29,8 +30,8 @@ struct Outcome {
   std::optional<ScanSurface> target_scan;
 };
 
-Outcome registerByPosture(const Shape& source, const Shape& target) {
-  RegistrationResult result = registerShapes(source, target);
+Outcome registerByPosture(const BenchmarkPair& pair, const Shape& source, const Shape& target) {
+  RegistrationResult result = registerFiles(pair.source, source, pair.target, target);
   Outcome outcome;
   outcome.status = result.status == Status::REGISTERED ? "registered" : "undecided";
   outcome.message = result.message;
@@ -77,7 +78,7 @@ Outcome moveAsAWhole(const Shape& source, const Shape& target, const RigidResult
 }
 
 Outcome apply(const ComparedRun& run, const Shape& source, const Shape& target) {
-  if (run.method == "posture") return registerByPosture(source, target);
+  if (run.method == "posture") return registerByPosture(run.pair, source, target);
   if (run.method == "as-given") {
     Outcome outcome = moveAsAWhole(source, target, {});
     outcome.status = "as given";

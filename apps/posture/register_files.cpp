@@ -13,14 +13,24 @@ RegistrationResult registerFiles(const ShapeFile& source,
                                  const ShapeFile& target,
                                  const RegistrationOptions& options,
                                  const Observer& observer) {
+  return registerFiles(source.path, source.shape, target.path, target.shape, options, observer);
+}
+
+RegistrationResult registerFiles(const std::filesystem::path& source_path,
+                                 const Shape& source,
+                                 const std::filesystem::path& target_path,
+                                 const Shape& target,
+                                 const RegistrationOptions& options,
+                                 const Observer& observer) {
   try {
-    return registerShapes(source.shape, target.shape, options, observer);
+    return registerShapes(source, target, options, observer);
   } catch (const InputError& error) {
     // The pipeline speaks of "source" and "target"; the user knows the files.
     const std::string message = error.what();
-    for (const auto& [side, file] : {std::pair("source ", &source), std::pair("target ", &target)})
+    for (const auto& [side, path] :
+         {std::pair("source ", &source_path), std::pair("target ", &target_path)})
       if (message.rfind(side, 0) == 0)
-        throw InputError(file->path.string() + ": " + message.substr(std::string(side).size()));
+        throw InputError(path->string() + ": " + message.substr(std::string(side).size()));
     throw;
   }
 }

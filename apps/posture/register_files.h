@@ -20,4 +20,12 @@ RegistrationResult registerFiles(const ShapeFile& source,
                                  const RegistrationOptions& options,
                                  const Observer& observer);
 
+/// The same of shapes that others keep.
+RegistrationResult registerFiles(const std::filesystem::path& source_path,
+                                 const Shape& source,
+                                 const std::filesystem::path& target_path,
+                                 const Shape& target,
+                                 const RegistrationOptions& options = {},
+                                 const Observer& observer = {});
+
 }  // namespace posture::app

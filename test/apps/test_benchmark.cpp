@@ -57,6 +57,18 @@ class Benchmark : public testing::Test {
   const test::StoredResults result{out_ / "pairs"};
 };
 
+TEST_F(Benchmark, NamesTheFileThatCannotBeUsed) {
+  std::ofstream(folder_ / "m/line.off") << "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n";
+  std::ofstream(folder_ / "pairs.csv") << "id,source,target\n"
+                                          "from,m/line.off,m/bent.off\n"
+                                          "onto,m/bent.off,m/line.off\n";
+  published();
+  for (const std::string pair : {"from", "onto"}) {
+    EXPECT_EQ(result(pair)["status"], "not run");
+    EXPECT_EQ(result(pair)["message"], folder_ / "m/line.off" + ": has only faces without area");
+  }
+}
+
 TEST_F(Benchmark, OneBadPairDoesNotEndTheList) {
   const auto end = published();
   ASSERT_EQ(end.exit_code, 0) << end.err;

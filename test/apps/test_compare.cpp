@@ -308,6 +308,13 @@ TEST_F(Compare, VariationsMoveAndScaleAndShuffleTheSource) {
   }
 }
 
+TEST_F(Compare, NamesTheFileThatCannotBeUsed) {
+  const std::string line = folder_ / "line.off", flat = folder_ / "flat.off";
+  std::ofstream(line) << "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n";
+  compare({flat, line, "--method", "posture", "--variation", "aligned"});
+  EXPECT_EQ(result("pair.aligned.posture")["message"], line + ": has only faces without area");
+}
+
 TEST_F(Compare, AListGivesARowAMethodAndVariation) {
   const auto end = comparePairs({"--variation", "aligned"});
   ASSERT_EQ(end.exit_code, 0) << end.err;
