@@ -200,7 +200,9 @@ void Drawing::turnNormals(const Eigen::Vector3d& toward_viewer) {
 void Drawing::addTo(vtkRenderer& scene, const View& view, double pixels_per_unit) {
   if (cloud_ != nullptr) {
     turnNormals(view.toward_viewer);
-    const double automatic = std::clamp(1.6 * spacing_ * pixels_per_unit, 1.5, 12.0);
+    constexpr double LEAST = 1.5, LARGEST = 12;
+    const double automatic =  // a single place is a dot
+        spacing_ > 0 ? std::clamp(1.6 * spacing_ * pixels_per_unit, LEAST, LARGEST) : LARGEST;
     const double size = style_.point_size > 0 ? style_.point_size : automatic;
     actors_.front()->GetProperty()->SetPointSize(static_cast<float>(size * OVERSAMPLING));
   }
@@ -231,7 +233,7 @@ Image Canvas::draw(Drawing& drawing, const View& view, const Window& window) {
   scene_->ComputeVisiblePropBounds(bounds.data());
   const Eigen::Vector3d low(bounds[0], bounds[2], bounds[4]);
   const Eigen::Vector3d high(bounds[1], bounds[3], bounds[5]);
-  const double distance = std::max((high - low).norm(), 1e-30);
+  const double across = (high - low).norm(), distance = across > 0 ? across : 1;
   const Eigen::Vector3d target = window.centre.x() * view.right + window.centre.y() * view.up +
                                  (low + high).dot(view.toward_viewer) / 2 * view.toward_viewer;
   const Eigen::Vector3d eye = target + distance * view.toward_viewer;

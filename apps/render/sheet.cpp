@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sheet.h"
 
+#include <posture/core/computable.h>
 #include <posture/core/error.h>
 
 #include "caption.h"
@@ -96,6 +97,17 @@ std::string nameOf(std::size_t file, const SheetOptions& options) {
   return path.filename().string();
 }
 
+/// One shape beyond what can be computed with would spoil the views of all.
+void requireComputable(const Points& points, const std::filesystem::path& file) {
+  if (points.rows() == 0) return;
+  try {
+    requireNotTooLarge(points.cwiseAbs().maxCoeff());
+    requireNotTooSmall((points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff());
+  } catch (const InputError& error) {
+    throw InputError(file.string() + ": " + error.what());
+  }
+}
+
 void pasteCaption(
     const std::string& text, int left, int bottom, const Layout& layout, Image& onto) {
   const Image line = caption(text, CAPTION_SIZE, layout.width - 16);
@@ -120,7 +132,10 @@ void checkSize(const SheetOptions& options) {
 Sheet drawSheet(const std::vector<MeshFile>& shapes, const SheetOptions& options) {
   std::vector<Points> points;
   points.reserve(shapes.size());
-  for (const MeshFile& shape : shapes) points.push_back(visiblePoints(shape, options.style));
+  for (const MeshFile& shape : shapes) {
+    points.push_back(visiblePoints(shape, options.style));
+    requireComputable(points.back(), options.files[points.size() - 1]);
+  }
   const auto views = viewsOf(points, options);
   const auto windows = windowsOf(points, views, options);
   const Layout layout = layoutOf(options);
@@ -131,16 +146,19 @@ Sheet drawSheet(const std::vector<MeshFile>& shapes, const SheetOptions& options
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     Drawing drawing(shapes[i], options.style);
     const int file = static_cast<int>(i);
+    bool shows = false;
     for (std::size_t row = 0; row < views.size(); ++row) {
       const Image tile = canvas.draw(drawing, views[row][i], windows[row][i]);
       const int bottom = layout.bottom(file, static_cast<int>(row));
       paste(tile, layout.left(file), bottom, sheet.image);
       const std::string view = options.views.empty() ? "chosen" : options.views[row];
       sheet.tiles.push_back({options.files[i].string(), view, coverage(tile)});
+      shows = shows || sheet.tiles.back().coverage > 0;
       if (options.views.size() < 2) continue;
       const Image label = caption(view, CAPTION_SIZE - 2, layout.width - 16);
       paste(label, layout.left(file) + 8, bottom + layout.height - label.height - 8, sheet.image);
     }
+    if (!shows) throw InputError(options.files[i].string() + ": there is nothing to see");
     pasteCaption(
         nameOf(i, options), layout.left(file), layout.captionBottom(file), layout, sheet.image);
   }

@@ -34,7 +34,8 @@ void checkSize(const SheetOptions& options);
 
 /// One column a file, one row a view, the files' names below.
 /// \param shapes  the contents of the files, in their order.
-/// \throws InputError  there is nothing to draw with.
+/// \throws InputError  there is nothing to draw with; a file is too large or too small to compute
+///         with, or all its tiles would be blank.
 Sheet drawSheet(const std::vector<MeshFile>& shapes, const SheetOptions& options);
 
 }  // namespace posture::render

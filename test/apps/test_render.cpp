@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <apps/program.h>
+#include <cmath>
 #include <fstream>
 #include <support/shapes.h>
 
@@ -137,6 +138,45 @@ TEST_F(Render, badFilesAreNamedInOneLine) {
   EXPECT_EQ(ended.exit_code, 3);
   EXPECT_TRUE(test::saidWhyInOneLine(ended)) << ended.err;
   for (const std::string& name : folder_.names()) EXPECT_EQ(name.find("never"), std::string::npos);
+}
+
+TEST_F(Render, refusesWhatWouldBeBlank) {
+  writeMesh(folder_ / "one-place.ply", {Points::Ones(3, 3), Faces{{0, 1, 2}}});
+  for (const double unit : {1e300, 1e-300}) {
+    TriangleMesh ball = test::sphere(1);
+    ball.vertices *= unit;
+    writeMesh(folder_ / (unit > 1 ? "large.ply" : "small.ply"), ball);
+  }
+  for (const auto& [name, why] :
+       {std::pair<std::string, std::string>("one-place.ply", "there is nothing to see"),
+        {"large.ply", "has coordinates too large to compute with"},
+        {"small.ply", "is too small to compute with"}}) {
+    const ProgramRun ended =
+        render({folder_ / "ball.ply", folder_ / name, "-o", folder_ / "never.png"});
+    EXPECT_EQ(ended.exit_code, 3) << name;
+    EXPECT_TRUE(test::saidWhyInOneLine(ended)) << ended.err;
+    EXPECT_NE(ended.err.find(name + ": " + why), std::string::npos) << ended.err;
+  }
+  for (const std::string& name : folder_.names()) EXPECT_EQ(name.find("never"), std::string::npos);
+}
+
+TEST_F(Render, drawsASinglePlaceAsADot) {
+  writeMesh(folder_ / "point.ply", {Points::Zero(1, 3), {}});
+  writeMesh(folder_ / "equal.ply", {Points::Constant(50, 3, 7), {}});
+  constexpr double DOT = M_PI * 36 / (100 * 100);
+  for (const double covered :
+       draw({folder_ / "point.ply", folder_ / "equal.ply", "--size", "100x100"}))
+    EXPECT_NEAR(covered, DOT, 0.3 * DOT);
+}
+
+TEST_F(Render, drawsLargeAndSmallUnits) {
+  const std::vector<double> usual = draw({folder_ / "ball.ply"});
+  for (const double unit : {1e-9, 1e9, 1e49}) {
+    TriangleMesh ball = test::sphere(3);
+    ball.vertices *= unit;
+    writeMesh(folder_ / "scaled.ply", ball);
+    EXPECT_NEAR(draw({folder_ / "scaled.ply"}).at(0), usual.at(0), 5e-3) << unit;
+  }
 }
 
 TEST_F(Render, wrongUsage) {
