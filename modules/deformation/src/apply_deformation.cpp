@@ -7,7 +7,7 @@
 #include <posture/deformation/arap.h>
 #include <posture/mesh/clean_mesh.h>
 #include <posture/mesh/edges.h>
-#include <posture/mesh/nearest_in_triangle.h>
+#include <posture/mesh/nearest_on_faces.h>
 #include <posture/mesh/point_index.h>
 #include <posture/mesh/vertex_neighbors.h>
 
@@ -60,12 +60,9 @@ class FrameBlend {
       : source_(source),
         edge_(meanEdgeLength(source)),
         neighbors_(source.faces, static_cast<int>(source.vertices.rows())),
-        faces_at_(source.vertices.rows()),
+        faces_at_(source.faces, static_cast<int>(source.vertices.rows())),
         index_(source.vertices),
-        rotation_(Arap(source, cotangentLaplacian(source)).rotations(deformed)) {
-    for (int f = 0; f < source.faces.rows(); ++f)
-      for (int v : source.faces.row(f)) faces_at_[v].push_back(f);
-  }
+        rotation_(Arap(source, cotangentLaplacian(source)).rotations(deformed)) {}
 
   const Matrix3d& rotation(int vertex) const { return rotation_[vertex]; }
 
@@ -87,16 +84,9 @@ class FrameBlend {
  private:
   /// The place of the surface that is nearest to a point, among the faces at the nearest vertex.
   Vector3d foot(const Vector3d& x, int nearest) const {
-    Vector3d best = source_.vertices.row(nearest);
-    for (int f : faces_at_[nearest]) {
-      const Vector3d a = source_.vertices.row(source_.faces(f, 0)),
-                     b = source_.vertices.row(source_.faces(f, 1)),
-                     c = source_.vertices.row(source_.faces(f, 2));
-      const Vector3d at = nearestInTriangle<Vector3d>(x, a, b, c);
-      const Vector3d place = at[0] * a + at[1] * b + at[2] * c;
-      if ((place - x).squaredNorm() < (best - x).squaredNorm()) best = place;
-    }
-    return best;
+    NearestPlace best(source_.vertices.row(nearest), x);
+    lookAround(source_.vertices, source_.faces, faces_at_, nearest, x, best);
+    return best.place;
   }
 
   /// Where a point is seen from: a far one no farther than some edges, or the whole surface would
@@ -132,7 +122,7 @@ class FrameBlend {
   const TriangleMesh& source_;
   double edge_;
   VertexNeighbors neighbors_;
-  std::vector<std::vector<int>> faces_at_;
+  VertexFaces faces_at_;
   PointIndex index_;
   std::vector<Matrix3d> rotation_;
 };

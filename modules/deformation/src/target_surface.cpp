@@ -3,7 +3,7 @@
 #include "target_surface.h"
 
 #include <posture/mesh/edges.h>
-#include <posture/mesh/nearest_in_triangle.h>
+#include <posture/mesh/nearest_on_faces.h>
 #include <posture/mesh/normals.h>
 
 #include <algorithm>
@@ -20,12 +20,9 @@ TargetSurface::TargetSurface(const TriangleMesh& mesh)
       neighbors_(mesh.faces, static_cast<int>(mesh.vertices.rows())),
       on_boundary_(boundaryVertices(mesh.faces, static_cast<int>(mesh.vertices.rows()))),
       has_boundary_(std::find(on_boundary_.begin(), on_boundary_.end(), 1) != on_boundary_.end()),
-      faces_at_(mesh.vertices.rows()),
+      faces_at_(mesh.faces, static_cast<int>(mesh.vertices.rows())),
       across_(facesAcross(mesh.faces)),
-      index_(mesh.vertices) {
-  for (int f = 0; f < mesh.faces.rows(); ++f)
-    for (int k = 0; k < 3; ++k) faces_at_[mesh.faces(f, k)].push_back(f);
-}
+      index_(mesh.vertices) {}
 
 /// On a side without a neighbour, or at a corner where the surface ends.
 bool TargetSurface::onRim(const SurfacePoint& at) const {
@@ -74,31 +71,18 @@ SurfacePlace TargetSurface::find(const Vector3d& point,
   found.at.vertex = best;
   found.place = mesh_.vertices.row(best);
   found.normal = normals_.row(best);
-  least = std::numeric_limits<double>::infinity();
-  const auto try_faces_at = [&](int vertex) {
-    for (int f : faces_at_[vertex]) {
-      const Vector3d a = mesh_.vertices.row(mesh_.faces(f, 0)),
-                     b = mesh_.vertices.row(mesh_.faces(f, 1)),
-                     c = mesh_.vertices.row(mesh_.faces(f, 2));
-      const Vector3d at = nearestInTriangle<Vector3d>(point, a, b, c);
-      const Vector3d place = at[0] * a + at[1] * b + at[2] * c;
-      if (!((place - point).squaredNorm() < least)) continue;
-      least = (place - point).squaredNorm();
-      found.at.face = f;
-      found.at.barycentric = at;
-      found.place = place;
-    }
+  NearestPlace nearest;
+  const auto look_around = [&](int vertex) {
+    lookAround(mesh_.vertices, mesh_.faces, faces_at_, vertex, point, nearest);
   };
-  try_faces_at(best);
-  for (const int* w = neighbors_.begin(best); w != neighbors_.end(best); ++w) try_faces_at(*w);
-  if (found.at.face < 0) return found;
+  look_around(best);
+  std::for_each(neighbors_.begin(best), neighbors_.end(best), look_around);
+  if (nearest.face < 0) return found;
+  const auto corners = mesh_.faces.row(nearest.face);
+  found.at = {corners[largestCorner(nearest.barycentric)], nearest.face, nearest.barycentric};
+  found.place = nearest.place;
   Vector3d sum = Vector3d::Zero();
-  int largest = 0;
-  for (int k = 0; k < 3; ++k) {
-    sum += found.at.barycentric[k] * normals_.row(mesh_.faces(found.at.face, k)).transpose();
-    if (found.at.barycentric[k] > found.at.barycentric[largest]) largest = k;
-  }
-  found.at.vertex = mesh_.faces(found.at.face, largest);
+  for (int k = 0; k < 3; ++k) sum += nearest.barycentric[k] * normals_.row(corners[k]).transpose();
   found.normal = sum.normalized();
   const Vector3d off = point - found.place;
   const double beside = (off - found.normal.dot(off) * found.normal).norm();

@@ -45,7 +45,7 @@ class TargetSurface {
   VertexNeighbors neighbors_;
   std::vector<char> on_boundary_;
   bool has_boundary_;
-  std::vector<std::vector<int>> faces_at_;
+  VertexFaces faces_at_;
   Faces across_;
   PointIndex index_;
 };

@@ -5,15 +5,13 @@
 #include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
 #include <posture/deformation/apply_deformation.h>
-#include <posture/mesh/nearest_in_triangle.h>
+#include <posture/mesh/nearest_on_faces.h>
 #include <posture/mesh/point_index.h>
 #include <posture/mesh/position_of.h>
 #include <posture/mesh/vertex_neighbors.h>
 
 #include "given_shape.h"
 #include "verdict.h"
-#include <algorithm>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -52,31 +50,18 @@ class Between {
  private:
   /// The nearest place in the faces around the images of the three corners.
   SurfacePoint nearest(const Eigen::Vector3d& place, const Eigen::RowVector3i& corners) const {
-    SurfacePoint best;
-    double least = std::numeric_limits<double>::infinity();
-    const auto tryFace = [&](int f) {
-      const auto corner = [&](int k) -> Eigen::Vector3d {
-        return target_.vertices.row(target_.faces(f, k));
-      };
-      const Eigen::Vector3d a = corner(0), b = corner(1), c = corner(2);
-      const Eigen::Vector3d at = nearestInTriangle<Eigen::Vector3d>(place, a, b, c);
-      const double distance = (at[0] * a + at[1] * b + at[2] * c - place).squaredNorm();
-      if (distance >= least) return;
-      least = distance;
-      Eigen::Index largest = 0;
-      at.maxCoeff(&largest);
-      best = {target_.faces(f, largest), f, at};
-    };
-    const auto tryAround = [&](int vertex) {
-      std::for_each(around_.begin(vertex), around_.end(vertex), tryFace);
+    NearestPlace best;
+    const auto look = [&](int vertex) {
+      lookAround(target_.vertices, target_.faces, around_, vertex, place, best);
     };
     for (int k = 0; k < 3; ++k) {
       const SurfacePoint& image = vertices_.on_target[corners[k]];
-      tryAround(image.vertex);
+      look(image.vertex);
       if (image.face >= 0)
-        for (int j = 0; j < 3; ++j) tryAround(target_.faces(image.face, j));
+        for (int j = 0; j < 3; ++j) look(target_.faces(image.face, j));
     }
-    return best.vertex >= 0 ? best : vertices_.on_target[corners[0]];
+    if (best.face < 0) return vertices_.on_target[corners[0]];
+    return {target_.faces(best.face, largestCorner(best.barycentric)), best.face, best.barycentric};
   }
 
   const TriangleMesh &source_, &target_;

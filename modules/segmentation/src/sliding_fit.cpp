@@ -3,7 +3,7 @@
 #include "sliding_fit.h"
 
 #include <posture/core/median.h>
-#include <posture/mesh/nearest_in_triangle.h>
+#include <posture/mesh/nearest_on_faces.h>
 #include <posture/mesh/normals.h>
 
 #include <Eigen/Cholesky>
@@ -40,38 +40,31 @@ PosedSurface::PosedSurface(const Points& places, const Faces& faces)
     : places_(places),
       normals_(vertexNormals({places, faces})),
       faces_(faces),
-      faces_at_(places.rows()) {
-  for (int f = 0; f < faces.rows(); ++f)
-    for (int v : faces.row(f)) faces_at_[v].push_back(f);
-}
+      faces_at_(faces, static_cast<int>(places.rows())) {}
 
 PosedSurface::Place PosedSurface::nearest(const Vector3d& point, int& from) const {
   const auto squared = [&](int v) { return (Vector3d(places_.row(v)) - point).squaredNorm(); };
   double least = squared(from);
   for (bool nearer = true; nearer;) {
     nearer = false;
-    for (int f : faces_at_[from])
-      for (int v : faces_.row(f)) {
+    const int here = from;
+    for (const int* f = faces_at_.begin(here); f != faces_at_.end(here); ++f)
+      for (int v : faces_.row(*f)) {
         if (!(squared(v) < least)) continue;
         least = squared(v);
         from = v;
         nearer = true;
       }
   }
-  Place place{places_.row(from), normals_.row(from)};
-  for (int f : faces_at_[from]) {
-    const Vector3d a = places_.row(faces_(f, 0)), b = places_.row(faces_(f, 1)),
-                   c = places_.row(faces_(f, 2));
-    const Vector3d w = nearestInTriangle(point, a, b, c);
-    const Vector3d at = w[0] * a + w[1] * b + w[2] * c;
-    if (!((at - point).squaredNorm() < least)) continue;
-    least = (at - point).squaredNorm();
-    place.at = at;
-    place.normal = (w[0] * normals_.row(faces_(f, 0)) + w[1] * normals_.row(faces_(f, 1)) +
-                    w[2] * normals_.row(faces_(f, 2)))
-                       .normalized();
-  }
-  return place;
+  NearestPlace best(places_.row(from), point);
+  lookAround(places_, faces_, faces_at_, from, point, best);
+  if (best.face < 0) return {best.place, normals_.row(from)};
+  const auto corners = faces_.row(best.face);
+  const Vector3d& w = best.barycentric;
+  return {best.place,
+          (w[0] * normals_.row(corners[0]) + w[1] * normals_.row(corners[1]) +
+           w[2] * normals_.row(corners[2]))
+              .normalized()};
 }
 
 SlidingFit slideOnto(const PosedSurface& surface,

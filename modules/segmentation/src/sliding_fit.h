@@ -3,6 +3,7 @@
 #pragma once
 
 #include <posture/core/types.h>
+#include <posture/mesh/vertex_neighbors.h>
 
 #include <Eigen/Geometry>
 
@@ -29,7 +30,7 @@ class PosedSurface {
  private:
   Points places_, normals_;
   const Faces& faces_;
-  std::vector<std::vector<int>> faces_at_;
+  VertexFaces faces_at_;
 };
 
 struct WeighedVertex {
