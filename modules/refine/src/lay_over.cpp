@@ -63,6 +63,12 @@ std::vector<int> spreadVertices(const Points& vertices) {
   return spread;
 }
 
+/// Geman and McClure's weight, given the square of a distance's ratio to the usual one.
+double gemanMcClure(double squared_ratio) {
+  const double near = 1 / (1 + squared_ratio);
+  return near * near;
+}
+
 struct Laying {
   Similarity way;
   double cost = 0;  ///< mean distance
@@ -120,9 +126,8 @@ void closestPoints(
     Vector weight(pairs.size());
     laying.cost = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const double near = 1 / (1 + pairs[i].squared / usual);
       const bool rim = a.on_boundary[pairs[i].a] || b.on_boundary[pairs[i].b];
-      weight[i] = near * near * (rim ? RIM_WEIGHT : 1);
+      weight[i] = gemanMcClure(pairs[i].squared / usual) * (rim ? RIM_WEIGHT : 1);
       laying.cost += std::sqrt(pairs[i].squared) / static_cast<double>(pairs.size());
     }
     laying.way = bestSimilarity(a, b, pairs, weight, scaled, laying.way.scale);
@@ -148,7 +153,7 @@ VertexMaps nearestInBothPoses(const BendableSurface& a,
 }
 
 /// Pulls a surface towards its matches; far ones count less the farther they are beyond twice the
-/// usual distance (Geman and McClure's weights).
+/// usual distance.
 void pullRobustly(const BendableSurface& from,
                   const BendableSurface& to,
                   const std::vector<int>& matches,
@@ -160,8 +165,8 @@ void pullRobustly(const BendableSurface& from,
       2 * std::max(median({distance.data(), distance.data() + distance.size()}), 1e-3);
   Vector believed = belief(from, to, matches);
   for (Eigen::Index v = 0; v < distance.size(); ++v) {
-    const double r = distance[v] / usual, near = 1 / (1 + r * r);
-    believed[v] *= near * near;
+    const double ratio = distance[v] / usual;
+    believed[v] *= gemanMcClure(ratio * ratio);
   }
   bent = from.arap.pull(bent, goals, from.arap.attract(softness, believed), BENDING_STEPS);
 }
