@@ -16,7 +16,6 @@
 #include <posture/mesh/edges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <vector>
@@ -68,7 +67,7 @@ double meanError(const DenseMap& map,
     sum += (target.mesh.vertices.row(found) - target.mesh.vertices.row(there)).norm();
     ++count;
   }
-  return count > 0 ? sum / count / std::sqrt(faceAreas(target.mesh).sum()) : 1;
+  return count > 0 ? sum / count / rootArea(target.mesh) : 1;
 }
 
 int run(const char* source_path, const char* target_path, const char* truth_path) {

@@ -71,6 +71,13 @@ TEST(Edges, nothingLiesAcrossAnEdgeOfThreeFaces) {
   EXPECT_EQ(facesAcross(Faces(0, 3)).rows(), 0);
 }
 
+TEST(Areas, ofASurfaceAreThoseOfItsFacesTogether) {
+  const TriangleMesh grid = test::grid(4, 3, 2, 8);
+  EXPECT_DOUBLE_EQ(surfaceArea(grid), 16);
+  EXPECT_DOUBLE_EQ(rootArea(grid), 4);
+  EXPECT_EQ(surfaceArea({grid.vertices, Faces(0, 3)}), 0);
+}
+
 TEST(Edges, medianRatioIsThatOfMostEdges) {
   const TriangleMesh mesh = test::sphere(2);
   Points places = 2.5 * mesh.vertices;

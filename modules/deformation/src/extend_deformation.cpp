@@ -95,7 +95,7 @@ void layRegion(const TriangleMesh& rest,
   const auto [around, known] = surroundings.mesh([&](const Eigen::RowVector3i& face) {
     return is_free[face[0]] == 0 && is_free[face[1]] == 0 && is_free[face[2]] == 0;
   });
-  if (known.empty() || !(faceAreas(around).sum() > 0)) return;
+  if (known.empty() || !(surfaceArea(around) > 0)) return;
 
   // From where the surface around takes them: what lies where nothing told may be folded.
   Points start = places(vertex, Eigen::all);

@@ -70,7 +70,7 @@ TargetMetric::TargetMetric(TriangleMesh target)
     : target_(withoutSpikes(std::move(target))),
       surface_(cleanMesh(target_)),
       marching_(surface_.mesh) {
-  root_area_ = std::sqrt(faceAreas(surface_.mesh).sum());
+  root_area_ = posture::rootArea(surface_.mesh);
   if (!(root_area_ > 0)) throw InputError("has no area");
   const std::vector<Edge> edges = meshEdges(surface_.mesh.faces);
   neighbor_begin_.assign(surface_.mesh.vertices.rows() + 1, 0);

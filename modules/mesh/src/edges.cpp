@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace posture {
@@ -109,6 +110,10 @@ Vector faceAreas(const TriangleMesh& mesh) {
   }
   return areas;
 }
+
+double surfaceArea(const TriangleMesh& mesh) { return faceAreas(mesh).sum(); }
+
+double rootArea(const TriangleMesh& mesh) { return std::sqrt(surfaceArea(mesh)); }
 
 std::vector<int> vertexFaces(const Faces& faces, int vertex_count) {
   std::vector<int> face_of(vertex_count, -1);

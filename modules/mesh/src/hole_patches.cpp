@@ -233,7 +233,7 @@ HolePatches patchHoles(const TriangleMesh& mesh) {
   const auto copies = static_cast<int>(cut.mesh.vertices.rows());
   const auto n = static_cast<int>(mesh.vertices.rows());
   const HalfEdgeMesh half_edges(cut.mesh.faces, copies);
-  const double short_rim = SHORT * std::sqrt(faceAreas(mesh).sum());
+  const double short_rim = SHORT * rootArea(mesh);
   std::set<std::pair<int, int>> border;  // other cuts are no holes
   for (const Edge& e : meshEdges(mesh.faces))
     if (e.faces == 1) border.emplace(e.first, e.second);

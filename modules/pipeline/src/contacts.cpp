@@ -12,7 +12,6 @@
 
 #include "cut_surface.h"
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -128,7 +127,7 @@ std::optional<Ring> contactRing(const TriangleMesh& mesh) {
   const Handles handles(mesh);
   if (handles.count() == 0) return {};
   const Detours detours(mesh);
-  const double least_detour = LEAST_DETOUR * std::sqrt(faceAreas(mesh).sum());
+  const double least_detour = LEAST_DETOUR * rootArea(mesh);
   const int starts = std::min<int>(STARTS, static_cast<int>(mesh.vertices.rows()));
   std::vector<std::optional<Ring>> rings(starts);
   parallelFor(starts, [&](int start) {
@@ -189,7 +188,7 @@ std::vector<int> weldedContacts(const TriangleMesh& mesh, int& contacts) {
   const VertexNeighbors neighbors(mesh.faces, n);
   const std::vector<int> part = partsOf(VertexNeighbors(cut.mesh.faces, cut_n), cut_n);
   const EdgePaths paths(cut.mesh);
-  const double least_detour = LEAST_DETOUR * std::sqrt(faceAreas(mesh).sum());
+  const double least_detour = LEAST_DETOUR * rootArea(mesh);
   std::vector<int> welded;
   std::vector<char> seen(n, 0);
   for (int start = 0; start < n; ++start) {

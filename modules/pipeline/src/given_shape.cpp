@@ -34,7 +34,7 @@ ShapeSummary summarize(const GivenShape& shape) {
   summary.cleaning = shape.clean.summary;
   summary.clean_vertices = static_cast<int>(shape.clean.mesh.vertices.rows());
   for (const Edge& e : meshEdges(shape.clean.mesh.faces)) summary.boundary_edges += e.faces == 1;
-  summary.area = faceAreas(shape.clean.mesh).sum();
+  summary.area = surfaceArea(shape.clean.mesh);
   summary.mean_edge_length = meanEdgeLength(shape.clean.mesh);
   return summary;
 }

@@ -10,7 +10,6 @@
 #include "pose.h"
 #include "verdict.h"
 #include "way_back.h"
-#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -26,7 +25,7 @@ constexpr double BEYOND_RIM = 0.015;
 /// enough; -1: none.
 std::vector<int> rimVertices(const TriangleMesh& input, const PatchedShape& patched) {
   const TriangleMesh& mesh = patched.input;
-  const double reach = BEYOND_RIM * std::sqrt(faceAreas(patched.clean.mesh).sum());
+  const double reach = BEYOND_RIM * rootArea(patched.clean.mesh);
   const auto n = static_cast<int>(input.vertices.rows());
   std::vector<int> rim(patched.vertices, -1);
   for (bool first = true, found = true; found; first = false) {
@@ -126,7 +125,7 @@ ShapeSummary summaryWithout(const GivenShape& given,
 
 PatchedShape withPatches(const TriangleMesh& input, const CleanMesh& clean) {
   // In a frame and an order of its own, so that the patches do not depend on those it came in.
-  const Pose pose = poseOf(clean.mesh, 1 / std::sqrt(faceAreas(clean.mesh).sum()));
+  const Pose pose = poseOf(clean.mesh);
   const CleanMesh ordered = inOrder(clean, pose);
   const HolePatches patches = patchHoles(posed(ordered.mesh, pose));
   PatchedShape patched{
@@ -150,7 +149,7 @@ PatchedShape withPatches(const TriangleMesh& input, const CleanMesh& clean) {
 PatchedShape withBridges(const TriangleMesh& input, const CleanMesh& clean) {
   PatchedShape joined{input, clean};
   if (clean.pieces.faces.rows() == 0) return joined;
-  const Pose pose = poseOf(clean.mesh, 1 / std::sqrt(faceAreas(clean.mesh).sum()));
+  const Pose pose = poseOf(clean.mesh);
   const auto n = clean.mesh.vertices.rows(), m = input.faces.rows();
   const Bridges bridges =
       bridgePieces(withPieces(posed(clean.mesh, pose), posed(clean.pieces, pose)));

@@ -9,7 +9,6 @@
 
 #include "cut_surface.h"
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace posture {
@@ -35,7 +34,7 @@ constexpr double NEARLY_ALL = 0.9;
 /// A surface in square roots of its area, on fewer vertices.
 struct Sampled {
   Sampled(const CleanMesh& clean, int samples)
-      : Sampled(clean.mesh, std::sqrt(faceAreas(clean.mesh).sum()), samples) {}
+      : Sampled(clean.mesh, rootArea(clean.mesh), samples) {}
 
   ReducedMesh reduced;
   Landmarks landmarks;
@@ -76,7 +75,7 @@ bool mayBePiece(const CleanMesh& surface) {
   for (const Edge& e : meshEdges(surface.mesh.faces))
     if (e.faces == 1)
       rim += (surface.mesh.vertices.row(e.first) - surface.mesh.vertices.row(e.second)).norm();
-  return rim > LEAST_RIM * std::sqrt(faceAreas(surface.mesh).sum());
+  return rim > LEAST_RIM * rootArea(surface.mesh);
 }
 
 std::vector<CleanMesh> partsLike(const CleanMesh& piece, const GivenShape& whole, int most) {

@@ -27,7 +27,7 @@ Points Pose::outOf(const Points& points) const {
   return (points / unit * axes.transpose()).rowwise() + center;
 }
 
-Pose poseOf(const TriangleMesh& mesh, double unit) {
+Pose poseOf(const TriangleMesh& mesh) {
   const Vector area = faceAreas(mesh);
   Points middles(mesh.faces.rows(), 3);
   for (int f = 0; f < middles.rows(); ++f)
@@ -35,7 +35,7 @@ Pose poseOf(const TriangleMesh& mesh, double unit) {
                       mesh.vertices.row(mesh.faces(f, 2))) /
                      3;
   Pose pose;
-  pose.unit = unit;
+  pose.unit = 1 / std::sqrt(area.sum());
   pose.center = area.transpose() * middles / area.sum();
   middles.rowwise() -= pose.center;
   pose.axes = momentAxes(middles, area);

@@ -17,8 +17,8 @@ struct Pose {
   Points outOf(const Points& points) const;  ///< back to it
 };
 
-/// \param unit  what to multiply lengths by.
-Pose poseOf(const TriangleMesh& mesh, double unit);
+/// In square roots of the area: the k-th eigenvalue is then near 4 pi k.
+Pose poseOf(const TriangleMesh& mesh);
 
 /// The mesh in its pose, coordinates rounded far below an edge: the same body, however it was
 /// turned and moved, has the same numbers.

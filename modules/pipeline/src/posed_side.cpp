@@ -2,23 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "posed_side.h"
 
-#include <posture/mesh/edges.h>
-
-#include <cmath>
 #include <utility>
 
 namespace posture {
-namespace {
-
-// The k-th eigenvalue is then near 4 pi k.
-Pose poseOfUnitArea(const TriangleMesh& mesh) {
-  return poseOf(mesh, 1 / std::sqrt(faceAreas(mesh).sum()));
-}
-
-}  // namespace
 
 PosedSide::PosedSide(const GivenShape& cleaned)
-    : pose(poseOfUnitArea(cleaned.clean.mesh)),
+    : pose(poseOf(cleaned.clean.mesh)),
       ordered(inOrder(cleaned.clean, pose)),
       given{cleaned.input, ordered, cleaned.patch_vertices} {}
 

@@ -42,8 +42,8 @@ double mappedShare(const RegistrationResult& result) {
 
 /// Of a side's area, that of the pieces that are not joined to its main surface.
 double shareInPieces(const CleanMesh& clean) {
-  const double pieces = faceAreas(clean.pieces).sum();
-  return pieces / (pieces + faceAreas(clean.mesh).sum());
+  const double pieces = surfaceArea(clean.pieces);
+  return pieces / (pieces + surfaceArea(clean.mesh));
 }
 
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted:

@@ -6,7 +6,6 @@
 #include <posture/mesh/position_of.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -47,7 +46,7 @@ void measureMiss(const GivenShape& source,
     if (end) miss.push_back((*end - source.input.vertices.row(v)).norm());
   }
   if (miss.empty()) return;
-  const double size = std::sqrt(faceAreas(source.clean.mesh).sum());
+  const double size = rootArea(source.clean.mesh);
   const auto n = miss.size();
   back.mean_miss = std::accumulate(miss.begin(), miss.end(), 0.0) / static_cast<double>(n) / size;
   const auto at_95 = miss.begin() + static_cast<std::ptrdiff_t>(n * 95 / 100);

@@ -272,9 +272,8 @@ RigidSegments segmentRigidParts(const TriangleMesh& rest, const std::vector<Poin
     require(pose.rows() == rest.vertices.rows(), "segmentRigidParts: one place a vertex");
     require(pose.allFinite(), "segmentRigidParts: places that are no numbers");
   }
-  const double area = rest.faces.rows() > 0 ? faceAreas(rest).sum() : 0;
-  require(area > 0, "segmentRigidParts: a mesh without area");
-  const double unit = std::sqrt(area);
+  const double unit = rootArea(rest);
+  require(unit > 0, "segmentRigidParts: a mesh without area");
 
   RigidSegments segments;
   const TriangleMesh shape{normalized(rest.vertices, unit), rest.faces};

@@ -34,6 +34,12 @@ double scaleWithoutNoise(const TriangleMesh& mesh, const Points& places);
 /// m areas, in squared mesh units.
 Vector faceAreas(const TriangleMesh& mesh);
 
+/// The sum of these; 0 without faces.
+double surfaceArea(const TriangleMesh& mesh);
+
+/// Its square root: how large a shape is, however it bends.
+double rootArea(const TriangleMesh& mesh);
+
 /// For each vertex a face it is a corner of; -1 for a vertex in no face.
 std::vector<int> vertexFaces(const Faces& faces, int vertex_count);
 
