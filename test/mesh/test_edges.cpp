@@ -20,7 +20,7 @@ Faces threeOnAnEdge() {
 TEST(PlaceOfVertex, isAtOneCornerOfItsFace) {
   Faces faces(2, 3);
   faces << 1, 1, 2, 0, 2, 3;
-  const std::vector<int> face_of = vertexFaces(faces, 5);
+  const std::vector<int> face_of = faceOfEachVertex(faces, 5);
   const SurfacePoint twice = placeOfVertex(faces, face_of, 1);  // its face names it twice
   EXPECT_EQ(twice.vertex, 1);
   EXPECT_EQ(twice.face, 0);

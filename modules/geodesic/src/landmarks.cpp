@@ -104,7 +104,7 @@ Landmarks voronoiSamples(const TriangleMesh& mesh,
                          double spacing) {
   require(mesh.faces.rows() > 0, "voronoiSamples: the mesh has no faces");
   const int n = static_cast<int>(mesh.vertices.rows());
-  const std::vector<int> face_of = vertexFaces(mesh.faces, n);
+  const std::vector<int> face_of = faceOfEachVertex(mesh.faces, n);
   Landmarks landmarks;
   landmarks.nearest.assign(n, -1);
   std::vector<double> distance(n, std::numeric_limits<double>::infinity());

@@ -115,7 +115,7 @@ double surfaceArea(const TriangleMesh& mesh) { return faceAreas(mesh).sum(); }
 
 double rootArea(const TriangleMesh& mesh) { return std::sqrt(surfaceArea(mesh)); }
 
-std::vector<int> vertexFaces(const Faces& faces, int vertex_count) {
+std::vector<int> faceOfEachVertex(const Faces& faces, int vertex_count) {
   std::vector<int> face_of(vertex_count, -1);
   for (int f = static_cast<int>(faces.rows()) - 1; f >= 0; --f)
     for (int k = 0; k < 3; ++k) face_of[faces(f, k)] = f;

@@ -54,7 +54,7 @@ class WithoutPatches {
   WithoutPatches(const TriangleMesh& input, const PatchedShape& patched)
       : vertices_(static_cast<int>(input.vertices.rows())),
         faces_(input.faces),
-        face_of_(vertexFaces(input.faces, vertices_)),
+        face_of_(faceOfEachVertex(input.faces, vertices_)),
         rim_(rimVertices(input, patched)) {}
 
   int vertex(int v) const { return v < vertices_ ? v : rim_[v - vertices_]; }

@@ -37,8 +37,8 @@ Correspondence correspondence(const Hypothesis& h,
                               const std::vector<int>& target_vertex,
                               const Side& source,
                               const Side& target) {
-  const std::vector<int> face_of =
-      vertexFaces(target.given.input.faces, static_cast<int>(target.given.input.vertices.rows()));
+  const std::vector<int> face_of = faceOfEachVertex(
+      target.given.input.faces, static_cast<int>(target.given.input.vertices.rows()));
   Correspondence result;
   result.on_target.resize(target_vertex.size());
   result.confidence = Vector::Zero(target_vertex.size());

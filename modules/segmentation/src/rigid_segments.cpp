@@ -172,7 +172,7 @@ class Clustering {
 /// Each face goes with the sample nearest to one of its corners. Each piece of the mesh takes one.
 std::vector<int> patchesOf(const TriangleMesh& mesh) {
   const int n = static_cast<int>(mesh.vertices.rows());
-  const std::vector<int> face = vertexFaces(mesh.faces, n);
+  const std::vector<int> face = faceOfEachVertex(mesh.faces, n);
   const auto loose = static_cast<int>(std::count(face.begin(), face.end(), -1));
   const int pieces = countJoined(n, [&](const auto& join) {
     for (const auto& f : mesh.faces.rowwise())

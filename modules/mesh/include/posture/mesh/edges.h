@@ -41,6 +41,6 @@ double surfaceArea(const TriangleMesh& mesh);
 double rootArea(const TriangleMesh& mesh);
 
 /// For each vertex a face it is a corner of; -1 for a vertex in no face.
-std::vector<int> vertexFaces(const Faces& faces, int vertex_count);
+std::vector<int> faceOfEachVertex(const Faces& faces, int vertex_count);
 
 }  // namespace posture

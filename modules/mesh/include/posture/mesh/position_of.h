@@ -20,7 +20,7 @@ inline Eigen::RowVector3d positionOf(const TriangleMesh& mesh, const SurfacePoin
 }
 
 /// The place of a vertex as one in a face. \param face_of  of each vertex, -1: none
-/// (vertexFaces()).
+/// (faceOfEachVertex()).
 inline SurfacePoint placeOfVertex(const Faces& faces, const std::vector<int>& face_of, int vertex) {
   SurfacePoint place;
   place.vertex = vertex;
