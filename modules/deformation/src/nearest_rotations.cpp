@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nearest_rotations.h"
 
-#include <Eigen/Dense>
+#include <posture/mesh/nearest_rotation.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace posture {
 namespace {
@@ -18,14 +17,6 @@ using Lane = Eigen::Array<double, LANES, 1>;
 struct Lanes {
   Lane at[3][3];
 };
-
-Eigen::Matrix3d rotationBySvd(const Eigen::Matrix3d& m) {
-  if (!m.allFinite()) return Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d u = svd.matrixU();
-  if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) *= -1;
-  return u * svd.matrixV().transpose();
-}
 
 Lane squaredNorm(const Lanes& m) {
   Lane sum = Lane::Zero();
@@ -113,7 +104,7 @@ void toNearestRotations(std::vector<Eigen::Matrix3d>& matrices) {
     for (int lane = 0; lane < count; ++lane) {
       Eigen::Matrix3d& matrix = matrices[first + lane];
       if (!clear[lane]) {
-        matrix = rotationBySvd(matrix);
+        matrix = nearestRotation(matrix);
         continue;
       }
       for (int i = 0; i < 3; ++i)

@@ -3,9 +3,7 @@
 #include <posture/core/parallel.h>
 #include <posture/matching/assignment.h>
 #include <posture/matching/candidates.h>
-
-#include <Eigen/LU>
-#include <Eigen/SVD>
+#include <posture/mesh/nearest_rotation.h>
 
 #include <algorithm>
 
@@ -37,12 +35,7 @@ Points moveOnto(const Points& source, const Points& target, const Assignment& as
                            to_mean = weight.transpose() * to;
   const Eigen::Matrix3d covariance =
       (source.rowwise() - from_mean).transpose() * weight.asDiagonal() * (to.rowwise() - to_mean);
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const bool mirrors = (svd.matrixU() * svd.matrixV()).determinant() < 0;
-  const Eigen::Vector3d handedness(1, 1, mirrors ? -1 : 1);
-  const Eigen::Matrix3d turn = svd.matrixU() * handedness.asDiagonal() * svd.matrixV().transpose();
-  return ((source.rowwise() - from_mean) * turn).rowwise() + to_mean;
+  return ((source.rowwise() - from_mean) * nearestRotation(covariance)).rowwise() + to_mean;
 }
 
 /// From one choice of signs to the nearest optimum of assignment and rigid motion together: each is

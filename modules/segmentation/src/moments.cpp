@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "moments.h"
 
+#include <posture/mesh/nearest_rotation.h>
+
 #include <Eigen/SVD>
 
 #include <algorithm>
@@ -41,11 +43,8 @@ double Moments::misfit() const {
 }
 
 Eigen::Isometry3d Moments::motion() const {
-  const Eigen::JacobiSVD<Matrix3d> svd(covariance(), Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Matrix3d u = svd.matrixU();
-  if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) *= -1;
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.linear() = u * svd.matrixV().transpose();
+  motion.linear() = nearestRotation(covariance());
   motion.translation() = (posed_ - motion.linear() * rest_) / weight_;
   return motion;
 }
