@@ -13,13 +13,12 @@
 #include "even_rotations.h"
 #include "functional_map.h"
 #include "grouped_nearest.h"
+#include "pose_features.h"
 #include <algorithm>
 #include <cmath>
 
 namespace posture {
 namespace {
-
-using Block = Eigen::MatrixXf;
 
 /// Lengths are in square roots of the area: a normal turned by 90 degrees counts as much as a
 /// distance of 0.3, half the thickness of a trunk.
@@ -136,16 +135,9 @@ VertexMaps nearestInBothPoses(const BendableSurface& a,
                               const BendableSurface& b,
                               double softness,
                               const BentPair& pair) {
-  const double weight = 1 / std::sqrt(softness);
-  const Points bent_a = vertexNormals({pair.bent_a, a.mesh.faces}),
-               bent_b = vertexNormals({pair.bent_b, b.mesh.faces});
-  Block fa(a.mesh.vertices.rows(), 12), fb(b.mesh.vertices.rows(), 12);
-  fa << a.mesh.vertices.cast<float>(), pair.bent_a.cast<float>(),
-      (weight * a.normals).cast<float>(), (weight * bent_a).cast<float>();
-  fb << pair.bent_b.cast<float>(), b.mesh.vertices.cast<float>(), (weight * bent_b).cast<float>(),
-      (weight * b.normals).cast<float>();
+  const PoseFeaturePair of = poseFeatures(a, b, softness, pair);
   VertexMaps maps;
-  nearestAmongGroups(fa, fb, maps.forward, maps.backward);
+  nearestAmongGroups(of.a.transpose(), of.b.transpose(), maps.forward, maps.backward);
   return maps;
 }
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/parallel.h>
 #include <posture/mesh/nearest_in_triangle.h>
-#include <posture/mesh/normals.h>
 #include <posture/refine/settle.h>
 
 #include <Eigen/Geometry>
 
 #include "belief.h"
 #include "functional_map.h"
+#include "pose_features.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,31 +19,14 @@
 namespace posture {
 namespace {
 
-/// Place and normal on the surface itself and where it is bent to, so that a distance between two
-/// rows sees both directions. Twelve numbers a vertex.
-using Features = Eigen::Matrix<float, 12, Eigen::Dynamic>;
-
 constexpr int BLOCK = 256;  // vertices a thread takes at once
-
-Features features(const Points& on_a,
-                  const Points& normals_on_a,
-                  const Points& on_b,
-                  const Points& normals_on_b,
-                  double normal_weight) {
-  Features f(12, on_a.rows());
-  f.topRows(3) = on_a.transpose().cast<float>();
-  f.middleRows(3, 3) = on_b.transpose().cast<float>();
-  f.middleRows(6, 3) = (normal_weight * normals_on_a.transpose()).cast<float>();
-  f.bottomRows(3) = (normal_weight * normals_on_b.transpose()).cast<float>();
-  return f;
-}
 
 /// Walks each match downhill along the other surface's edges, starting from the matches the vertex
 /// and its neighbours have: what one vertex has found, the next can take up.
 std::vector<int> slide(const BendableSurface& from,
-                       const Features& of_from,
+                       const PoseFeatures& of_from,
                        const BendableSurface& to,
-                       const Features& of_to,
+                       const PoseFeatures& of_to,
                        const std::vector<int>& matches) {
   std::vector<int> better(matches.size());
   forEach(static_cast<int>(matches.size()), BLOCK, [&](int v) {
@@ -72,25 +55,10 @@ std::vector<int> slide(const BendableSurface& from,
   return better;
 }
 
-struct FeaturePair {
-  Features a, b;
-};
-
-FeaturePair featuresOf(const BendableSurface& a,
-                       const BendableSurface& b,
-                       double softness,
-                       const BentPair& pair) {
-  const double normal_weight = 1 / std::sqrt(softness);
-  const Points bent_normals_a = vertexNormals({pair.bent_a, a.mesh.faces});
-  const Points bent_normals_b = vertexNormals({pair.bent_b, b.mesh.faces});
-  return {features(a.mesh.vertices, a.normals, pair.bent_a, bent_normals_a, normal_weight),
-          features(pair.bent_b, bent_normals_b, b.mesh.vertices, b.normals, normal_weight)};
-}
-
 /// Where each vertex of one surface fits best in the faces around its match on the other.
-std::vector<FacePoint> bestPlaces(const Features& of_from,
+std::vector<FacePoint> bestPlaces(const PoseFeatures& of_from,
                                   const BendableSurface& to,
-                                  const Features& of_to,
+                                  const PoseFeatures& of_to,
                                   const std::vector<int>& matches) {
   std::vector<FacePoint> places(matches.size());
   forEach(static_cast<int>(matches.size()), BLOCK, [&](int v) {
@@ -170,8 +138,8 @@ class Bender {
   }
 
   /// Goals are places in faces: those of vertices are off by up to half an edge.
-  void pull(const Features& of_from,
-            const Features& of_to,
+  void pull(const PoseFeatures& of_from,
+            const PoseFeatures& of_to,
             const std::vector<int>& matches,
             Points& bent) {
     Vector believed = belief(from_, to_, matches, apart_);
@@ -211,7 +179,7 @@ class Settling {
   void run(double softness, int rounds) {
     bend_a_.soften(softness);
     bend_b_.soften(softness);
-    FeaturePair of = featuresOf(a_, b_, softness, pair_);
+    PoseFeaturePair of = poseFeatures(a_, b_, softness, pair_);
     for (int round = 0; round < rounds; ++round) {
       parallelFor(2, [&](int side) {
         if (side == 0)
@@ -219,7 +187,7 @@ class Settling {
         else
           bend_b_.pull(of.b, of.a, pair_.maps.backward, pair_.bent_b);
       });
-      of = featuresOf(a_, b_, softness, pair_);
+      of = poseFeatures(a_, b_, softness, pair_);
       pair_.maps = {slide(a_, of.a, b_, of.b, pair_.maps.forward),
                     slide(b_, of.b, a_, of.a, pair_.maps.backward)};
     }
@@ -332,7 +300,7 @@ std::vector<FacePoint> placesOnFaces(const BendableSurface& a,
                                      const BendableSurface& b,
                                      double softness,
                                      const BentPair& pair) {
-  const FeaturePair of = featuresOf(a, b, softness, pair);
+  const PoseFeaturePair of = poseFeatures(a, b, softness, pair);
   return bestPlaces(of.a, b, of.b, pair.maps.forward);
 }
 
