@@ -63,7 +63,7 @@ double gapBetween(const SpectralSurface& target, const BentPair& x, const BentPa
   double sum = 0;
   int both = 0;
   for (std::size_t v = 0; v < x.maps.forward.size(); ++v) {
-    if ((!x.apart_a.empty() && x.apart_a[v]) || (!y.apart_a.empty() && y.apart_a[v])) continue;
+    if (isApart(x.apart_a, v) || isApart(y.apart_a, v)) continue;
     ++both;
     sum +=
         (target.mesh.vertices.row(x.maps.forward[v]) - target.mesh.vertices.row(y.maps.forward[v]))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <posture/refine/surface.h>
+#include <posture/refine/settle.h>
 
 #include <vector>
 
@@ -20,8 +20,7 @@ inline Vector belief(const BendableSurface& from,
                      const std::vector<char>& apart = {}) {
   Vector c = Vector::Ones(matches.size());
   for (std::size_t v = 0; v < matches.size(); ++v)
-    if ((to.on_boundary[matches[v]] && !from.on_boundary[v]) || (!apart.empty() && apart[v]))
-      c[v] = 0;
+    if ((to.on_boundary[matches[v]] && !from.on_boundary[v]) || isApart(apart, v)) c[v] = 0;
   return c;
 }
 

@@ -31,7 +31,7 @@ constexpr double SAME = 2, STRETCH = 2;
 std::vector<int> placesFarApart(const SpectralSurface& a, const std::vector<char>& apart) {
   std::vector<int> among;
   for (int v = 0; v < std::min(SPREAD, static_cast<int>(a.mesh.vertices.rows())); ++v)
-    if (apart.empty() || !apart[v]) among.push_back(v);
+    if (!isApart(apart, v)) among.push_back(v);
   std::vector<int> places;
   Vector distance = Vector::Constant(static_cast<Eigen::Index>(among.size()), 1e9);
   for (Eigen::Index next = 0; places.size() < std::min<std::size_t>(PLACES, among.size());) {
@@ -56,7 +56,7 @@ std::vector<char> allButAround(const SpectralSurface& a,
   std::vector<char> marked(distance.size(), 1);
   double left = KEPT * a.laplacian.mass.sum();
   for (auto v = order.begin(); v != order.end() && left > 0; ++v) {
-    if (!apart.empty() && apart[*v]) continue;
+    if (isApart(apart, *v)) continue;
     marked[*v] = 0;
     left -= a.laplacian.mass[*v];
   }
@@ -76,9 +76,6 @@ std::vector<int> hangingOn(const SpectralSurface& a,
                            const SpectralSurface& b,
                            const BentPair& before,
                            const BentPair& now) {
-  const auto isApart = [](const std::vector<char>& apart, int v) {
-    return !apart.empty() && apart[v] != 0;
-  };
   const double edge = meanEdgeLength(b.mesh);
   const auto place = [&](const BentPair& pair, int v) {
     return b.mesh.vertices.row(pair.maps.forward[v]);

@@ -78,7 +78,7 @@ std::vector<char> stillApart(const BendableSurface& b,
 bool addApart(std::vector<char>& marked, const std::vector<char>& apart) {
   bool more = false;
   for (std::size_t v = 0; v < marked.size(); ++v) {
-    const bool known = !apart.empty() && apart[v];
+    const bool known = isApart(apart, v);
     more |= marked[v] && !known;
     marked[v] |= known;
   }

@@ -15,8 +15,7 @@ std::vector<char> overHoles(const BendableSurface& a,
   std::vector<char> over(pair.maps.forward.size(), 0);
   for (std::size_t v = 0; v < over.size(); ++v) {
     const int t = pair.maps.forward[v];
-    const bool apart = !pair.apart_a.empty() && pair.apart_a[v];
-    over[v] = (apart || (b.on_boundary[t] && !a.on_boundary[v])) &&
+    over[v] = (isApart(pair.apart_a, v) || (b.on_boundary[t] && !a.on_boundary[v])) &&
               (pair.bent_a.row(v) - b.mesh.vertices.row(t)).norm() > edge;
   }
   return over;

@@ -20,6 +20,11 @@ struct BentPair {
   std::vector<char> apart_a{}, apart_b{};
 };
 
+/// Whether a vertex is among those let go of. \param apart  of its surface, as in BentPair.
+inline bool isApart(const std::vector<char>& apart, std::size_t v) {
+  return !apart.empty() && apart[v] != 0;
+}
+
 /// The same with the surfaces exchanged.
 BentPair reversed(const BentPair& pair);
 
