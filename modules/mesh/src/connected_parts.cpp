@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/unions.h>
 #include <posture/mesh/connected_parts.h>
 #include <posture/mesh/edges.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 
@@ -11,17 +10,16 @@ namespace posture {
 
 ConnectedParts connectedParts(const TriangleMesh& mesh) {
   const int n = static_cast<int>(mesh.vertices.rows()), m = static_cast<int>(mesh.faces.rows());
-  std::vector<int> rank(n), parent(n), number(n, -1);
-  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
-  for (int v = 0; v < n; ++v) sets.make_set(v);
+  std::vector<int> number(n, -1);
+  Unions sets(n);
   for (int f = 0; f < m; ++f) {
-    sets.union_set(mesh.faces(f, 0), mesh.faces(f, 1));
-    sets.union_set(mesh.faces(f, 0), mesh.faces(f, 2));
+    sets.join(mesh.faces(f, 0), mesh.faces(f, 1));
+    sets.join(mesh.faces(f, 0), mesh.faces(f, 2));
   }
   const Vector areas = faceAreas(mesh);
   ConnectedParts parts;
   for (int f = 0; f < m; ++f) {
-    int& part = number[sets.find_set(mesh.faces(f, 0))];
+    int& part = number[sets.root(mesh.faces(f, 0))];
     if (part < 0) {
       part = static_cast<int>(parts.area.size());
       parts.area.push_back(0);

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/unions.h>
 #include <posture/mesh/half_edge_mesh.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
@@ -237,16 +236,14 @@ ManifoldMesh cutNonManifold(const TriangleMesh& mesh) {
   const std::vector<Side> sides = sortedSides(faces);
   // Corners that stay one vertex: those joined across an edge of exactly two agreeing faces.
   const int corner_count = static_cast<int>(faces.size());
-  std::vector<int> rank(corner_count), parent(corner_count);
-  boost::disjoint_sets<int*, int*> corners(rank.data(), parent.data());
-  for (int c = 0; c < corner_count; ++c) corners.make_set(c);
+  Unions corners(corner_count);
   for (const Side& side : sides) {
     const auto [from, to] = side.first;
     const auto same = running(sides, from, to), opposite = running(sides, to, from);
     if (same.second - same.first != 1 || opposite.second - opposite.first != 1) continue;
     const int h = side.second, t = opposite.first->second;
-    corners.union_set(h, HalfEdgeMesh::next(t));
-    corners.union_set(HalfEdgeMesh::next(h), t);
+    corners.join(h, HalfEdgeMesh::next(t));
+    corners.join(HalfEdgeMesh::next(h), t);
   }
 
   ManifoldMesh result;
@@ -257,7 +254,7 @@ ManifoldMesh cutNonManifold(const TriangleMesh& mesh) {
   for (int v = 0; v < n; ++v) result.original_vertex[v] = v;
   result.mesh.faces = faces;
   for (int c = 0; c < corner_count; ++c) {
-    const int v = faces.data()[c], fan = corners.find_set(c);
+    const int v = faces.data()[c], fan = corners.root(c);
     if (fan_of[v] < 0) fan_of[v] = fan;
     if (fan_of[v] == fan) continue;
     const auto [copy, is_new] =

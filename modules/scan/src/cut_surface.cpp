@@ -3,9 +3,8 @@
 #include "cut_surface.h"
 
 #include <posture/core/median.h>
+#include <posture/core/unions.h>
 #include <posture/mesh/half_edge_mesh.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 
@@ -97,9 +96,8 @@ class CutFaces {
 /// For each corner 3 f + k a number shared by the corners of one fan.
 std::vector<int> fans(const CutFaces& faces) {
   const int count = 3 * faces.size();
-  std::vector<int> rank(count), parent(count), fan(count);
-  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
-  for (int c = 0; c < count; ++c) sets.make_set(c);
+  std::vector<int> fan(count);
+  Unions sets(count);
   for (int f = 0; f < faces.size(); ++f) {
     const std::array<int, 3> own = faces.corners(f);
     for (int k = 0; k < 3; ++k) {
@@ -108,11 +106,11 @@ std::vector<int> fans(const CutFaces& faces) {
       const std::array<int, 3> other = faces.corners(g);
       for (int end : {(k + 1) % 3, (k + 2) % 3}) {
         const auto same = std::find(other.begin(), other.end(), own[end]);
-        sets.union_set(3 * f + end, 3 * g + static_cast<int>(same - other.begin()));
+        sets.join(3 * f + end, 3 * g + static_cast<int>(same - other.begin()));
       }
     }
   }
-  for (int c = 0; c < count; ++c) fan[c] = sets.find_set(c);
+  for (int c = 0; c < count; ++c) fan[c] = sets.root(c);
   return fan;
 }
 

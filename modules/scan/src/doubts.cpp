@@ -3,11 +3,10 @@
 #include "doubts.h"
 
 #include <posture/core/parallel.h>
+#include <posture/core/unions.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
 #include <posture/mesh/vertex_neighbors.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include "neighbors.h"
 #include <algorithm>
@@ -81,17 +80,15 @@ int possibleContacts(const TriangleMesh& mesh, const Points& normals, double spa
     concave[e] = (normals.row(i) - normals.row(j)).dot(offset) > 0.3 * offset.norm();
   }
   EdgeGraph graph(mesh.vertices, edges, concave);
-  std::vector<int> rank(n), parent(n);
-  boost::disjoint_sets<int*, int*> places(rank.data(), parent.data());
-  for (int v = 0; v < n; ++v) places.make_set(v);
+  Unions places(n);
   std::vector<int> ends;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!concave[e] || graph.hasWay(edges[e].first, edges[e].second, 20 * spacing)) continue;
-    places.union_set(edges[e].first, edges[e].second);
+    places.join(edges[e].first, edges[e].second);
     ends.push_back(edges[e].first);
   }
   std::set<int> groups;
-  for (int v : ends) groups.insert(places.find_set(v));
+  for (int v : ends) groups.insert(places.root(v));
   return static_cast<int>(groups.size());
 }
 

@@ -3,8 +3,7 @@
 #include "outliers.h"
 
 #include <posture/core/parallel.h>
-
-#include <boost/pending/disjoint_sets.hpp>
+#include <posture/core/unions.h>
 
 #include "local_quadric.h"
 #include <algorithm>
@@ -18,19 +17,17 @@ std::vector<int> groupSizes(const Points& points,
                             const std::vector<char>& keep,
                             const std::vector<double>& spacing) {
   const int n = static_cast<int>(points.rows());
-  std::vector<int> rank(n), parent(n), size(n, 0), sizes(n);
-  boost::disjoint_sets<int*, int*> groups(rank.data(), parent.data());
-  for (int i = 0; i < n; ++i) groups.make_set(i);
+  std::vector<int> size(n, 0), sizes(n);
+  Unions groups(n);
   for (int i = 0; i < n; ++i) {
     if (!keep[i]) continue;
     for (int j : neighbors.row(i)) {
       if (j < 0 || (points.row(j) - points.row(i)).norm() > 3 * spacing[i]) break;
-      if (keep[j] && (points.row(j) - points.row(i)).norm() <= 3 * spacing[j])
-        groups.union_set(i, j);
+      if (keep[j] && (points.row(j) - points.row(i)).norm() <= 3 * spacing[j]) groups.join(i, j);
     }
   }
-  for (int i = 0; i < n; ++i) ++size[groups.find_set(i)];
-  for (int i = 0; i < n; ++i) sizes[i] = size[groups.find_set(i)];
+  for (int i = 0; i < n; ++i) ++size[groups.root(i)];
+  for (int i = 0; i < n; ++i) sizes[i] = size[groups.root(i)];
   return sizes;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repair.h"
 
-#include <boost/pending/disjoint_sets.hpp>
+#include <posture/core/unions.h>
 
 #include <algorithm>
 #include <utility>
@@ -116,14 +116,13 @@ std::vector<Eigen::RowVector3i> fill(const Points& vertices,
 }
 
 std::vector<int> pieceOfVertex(const Faces& faces, int vertex_count) {
-  std::vector<int> rank(vertex_count), parent(vertex_count), piece(vertex_count);
-  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
-  for (int v = 0; v < vertex_count; ++v) sets.make_set(v);
+  std::vector<int> piece(vertex_count);
+  Unions sets(vertex_count);
   for (int f = 0; f < faces.rows(); ++f) {
-    sets.union_set(faces(f, 0), faces(f, 1));
-    sets.union_set(faces(f, 0), faces(f, 2));
+    sets.join(faces(f, 0), faces(f, 1));
+    sets.join(faces(f, 0), faces(f, 2));
   }
-  for (int v = 0; v < vertex_count; ++v) piece[v] = sets.find_set(v);
+  for (int v = 0; v < vertex_count; ++v) piece[v] = sets.root(v);
   return piece;
 }
 

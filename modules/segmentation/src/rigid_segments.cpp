@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/core/median.h>
+#include <posture/core/unions.h>
 #include <posture/geodesic/landmarks.h>
 #include <posture/mesh/edges.h>
 #include <posture/segmentation/rigid_segments.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include "moments.h"
 #include "otsu.h"
@@ -37,15 +36,9 @@ Points normalized(const Points& places, double unit) {
 /// Sets of things that are joined, directly or by others; `join` is given a function of two.
 template <class Join>
 int countJoined(int things, const Join& join) {
-  std::vector<int> rank(things), parent(things);
-  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
-  for (int i = 0; i < things; ++i) sets.make_set(i);
+  Unions sets(things);
   int count = things;
-  join([&](int a, int b) {
-    if (sets.find_set(a) == sets.find_set(b)) return;
-    sets.union_set(a, b);
-    --count;
-  });
+  join([&](int a, int b) { count -= sets.join(a, b); });
   return count;
 }
 

@@ -3,13 +3,13 @@
 #include "scan_defects.h"
 
 #include <posture/core/error.h>
+#include <posture/core/unions.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <string>
 #include <utility>
@@ -134,12 +134,7 @@ class Puncher {
   /// out: 2 - holes.
   bool isOnePieceWithHoles() const {
     const int n = static_cast<int>(faces_of_.size());
-    std::vector<int> root(n);
-    std::iota(root.begin(), root.end(), 0);
-    const auto find = [&](int v) {
-      while (root[v] != v) v = root[v] = root[root[v]];
-      return v;
-    };
+    Unions joined(n);
     long vertices = 0, half_edges = 0, rim_edges = 0, faces = 0, pieces = 0;
     for (int f = 0; f < mesh_.faces.rows(); ++f) {
       if (gone_[f]) continue;
@@ -147,7 +142,7 @@ class Puncher {
       half_edges += 3;
       for (int i = 0; i < 3; ++i) {
         const int a = mesh_.faces(f, i), b = mesh_.faces(f, (i + 1) % 3);
-        root[find(a)] = find(b);
+        joined.join(a, b);
         for (int g : faces_of_[b])
           if (gone_[g] && corner(g, b, 1) == a) ++rim_edges;
       }
@@ -155,7 +150,7 @@ class Puncher {
     for (int v = 0; v < n; ++v) {
       if (countLeft(v) == 0) continue;
       ++vertices;
-      pieces += find(v) == v;
+      pieces += joined.root(v) == v;
     }
     const long edges = (half_edges + rim_edges) / 2;
     const bool body_left = 2 * faces >= mesh_.faces.rows();
