@@ -8,7 +8,6 @@
 #include <posture/mesh/spikes.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -19,8 +18,8 @@ namespace {
 /// Breadth-first search over a mesh's edges, with memory that is reused from one start to the next.
 class EdgeSearch {
  public:
-  EdgeSearch(const std::vector<int>& begin, const std::vector<int>& neighbors)
-      : begin_(begin), neighbors_(neighbors), steps_(begin.size() - 1, -1) {}
+  EdgeSearch(const VertexNeighbors& neighbors, Eigen::Index vertex_count)
+      : neighbors_(neighbors), steps_(vertex_count, -1) {}
 
   /// Runs until all of `goals` are reached (each may be named more than once).
   void run(int start, const std::vector<int>& goals) {
@@ -32,10 +31,10 @@ class EdgeSearch {
       while (open_goal < goals.size() && steps_[goals[open_goal]] >= 0) ++open_goal;
       if (open_goal == goals.size()) return;
       const int v = queue_[next];
-      for (int i = begin_[v]; i < begin_[v + 1]; ++i) {
-        if (steps_[neighbors_[i]] >= 0) continue;
-        steps_[neighbors_[i]] = steps_[v] + 1;
-        queue_.push_back(neighbors_[i]);
+      for (const int* w = neighbors_.begin(v); w != neighbors_.end(v); ++w) {
+        if (steps_[*w] >= 0) continue;
+        steps_[*w] = steps_[v] + 1;
+        queue_.push_back(*w);
       }
     }
   }
@@ -43,8 +42,7 @@ class EdgeSearch {
   int steps(int v) const { return steps_[v]; }
 
  private:
-  const std::vector<int>& begin_;
-  const std::vector<int>& neighbors_;
+  const VertexNeighbors& neighbors_;
   std::vector<int> steps_;  // -1: not reached
   std::vector<int> queue_;
 };
@@ -69,22 +67,10 @@ TriangleMesh withoutSpikes(TriangleMesh mesh) {
 TargetMetric::TargetMetric(TriangleMesh target)
     : target_(withoutSpikes(std::move(target))),
       surface_(cleanMesh(target_)),
-      marching_(surface_.mesh) {
-  root_area_ = posture::rootArea(surface_.mesh);
+      marching_(surface_.mesh),
+      neighbors_(surface_.mesh.faces, static_cast<int>(surface_.mesh.vertices.rows())),
+      root_area_(posture::rootArea(surface_.mesh)) {
   if (!(root_area_ > 0)) throw InputError("has no area");
-  const std::vector<Edge> edges = meshEdges(surface_.mesh.faces);
-  neighbor_begin_.assign(surface_.mesh.vertices.rows() + 1, 0);
-  for (const Edge& e : edges) {
-    ++neighbor_begin_[e.first + 1];
-    ++neighbor_begin_[e.second + 1];
-  }
-  std::partial_sum(neighbor_begin_.begin(), neighbor_begin_.end(), neighbor_begin_.begin());
-  neighbors_.resize(2 * edges.size());
-  std::vector<int> end(neighbor_begin_.begin(), neighbor_begin_.end() - 1);
-  for (const Edge& e : edges) {
-    neighbors_[end[e.first]++] = e.second;
-    neighbors_[end[e.second]++] = e.first;
-  }
 }
 
 void TargetMetric::check(const std::vector<Route>& routes) const {
@@ -171,7 +157,7 @@ std::vector<int> TargetMetric::edgeCounts(const std::vector<Route>& routes) cons
   const auto groups = groupByStart(routes);
   std::vector<int> counts(routes.size(), 0);
   parallelBlocks(groups.size(), [&](std::size_t begin, std::size_t end) {
-    EdgeSearch search(neighbor_begin_, neighbors_);
+    EdgeSearch search(neighbors_, surface_.mesh.vertices.rows());
     std::vector<int> goals;
     for (std::size_t g = begin; g < end; ++g) {
       goals.clear();

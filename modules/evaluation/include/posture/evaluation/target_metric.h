@@ -6,6 +6,7 @@
 #include <posture/core/types.h>
 #include <posture/geodesic/fast_marching.h>
 #include <posture/mesh/clean_mesh.h>
+#include <posture/mesh/vertex_neighbors.h>
 
 #include <cstdint>
 #include <vector>
@@ -55,8 +56,7 @@ class TargetMetric {
   TriangleMesh target_;
   CleanMesh surface_;
   FastMarching marching_;
-  std::vector<int> neighbor_begin_;  // n + 1: where each clean vertex's neighbours begin
-  std::vector<int> neighbors_;
+  VertexNeighbors neighbors_;  // of the clean vertices
   double root_area_ = 0;
 };
 
