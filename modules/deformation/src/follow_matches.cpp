@@ -7,7 +7,6 @@
 #include <posture/mesh/vertex_neighbors.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 namespace posture {
 namespace {

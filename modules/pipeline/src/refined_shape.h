@@ -4,7 +4,6 @@
 
 #include <posture/deformation/reduce_mesh.h>
 #include <posture/mesh/split_long_edges.h>
-#include <posture/pipeline/observer.h>
 #include <posture/refine/sample_maps.h>
 #include <posture/refine/settle.h>
 #include <posture/refine/surface.h>

@@ -29,6 +29,19 @@ constexpr double LEAST_TRUST = 0.5;
 /// How likely it is, by its score alone, that a map is between poses of one body.
 double likenessOf(double score) { return 1 / (1 + std::exp((score - EVEN_SCORE) / SCORE_WIDTH)); }
 
+/// By how much the chosen answer scores better than another one: by the refined scores where both
+/// have one, else by how much the best of all scores better than the other before refinement.
+double marginBefore(const RegistrationResult& result, const AlternativeSummary& other) {
+  const std::vector<AlternativeSummary>& all = result.alternatives;
+  const AlternativeSummary& chosen = all[result.chosen];
+  if (other.refined_score && chosen.refined_score)
+    return *other.refined_score - *chosen.refined_score;
+  // Refinement tells more than the scores before it, by which another may have been the best.
+  const auto best = std::min_element(
+      all.begin(), all.end(), [](const auto& x, const auto& y) { return x.score < y.score; });
+  return other.score - best->score;
+}
+
 /// The answer most likely next to the chosen one; -1: there is none.
 int rivalOf(const RegistrationResult& result) {
   int rival = -1;
@@ -61,17 +74,6 @@ std::string mappedMessage(const RegistrationResult& result) {
   return std::to_string(mapped) + " of " + std::to_string(places.size()) +
          (result.source_scan ? " source points" : " source vertices") + " have a counterpart (" +
          percent(static_cast<double>(mapped) / static_cast<double>(places.size())) + ")";
-}
-
-double marginBefore(const RegistrationResult& result, const AlternativeSummary& other) {
-  const std::vector<AlternativeSummary>& all = result.alternatives;
-  const AlternativeSummary& chosen = all[result.chosen];
-  if (other.refined_score && chosen.refined_score)
-    return *other.refined_score - *chosen.refined_score;
-  // Refinement tells more than the scores before it, by which another may have been the best.
-  const auto best = std::min_element(
-      all.begin(), all.end(), [](const auto& x, const auto& y) { return x.score < y.score; });
-  return other.score - best->score;
 }
 
 double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& other) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <posture/pipeline/register_shapes.h>
-#include <posture/refine/map_score.h>
 
 #include "given_shape.h"
 
@@ -16,11 +15,7 @@ std::string mappedMessage(const RegistrationResult& result);
 /// distances on them agree under it.
 void givePublishedVerdict(RegistrationResult& result);
 
-/// By how much the chosen answer scores better than another one: by the refined scores where both
-/// have one, else by how much the best of all scores better than the other before refinement.
-double marginBefore(const RegistrationResult& result, const AlternativeSummary& other);
-
-/// How likely another answer is beside the chosen one, by that margin; at most 1.
+/// How likely another answer is beside the chosen one, by its margin; at most 1.
 double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& other);
 
 /// So much trust is all but certain: what would only look for another answer is left out.
