@@ -60,8 +60,7 @@ class Flipper {
     const int t = mesh_.twin(h);
     const int a = mesh_.origin(h), b = mesh_.origin(t), c = mesh_.origin(HalfEdgeMesh::previous(h)),
               d = mesh_.origin(HalfEdgeMesh::previous(t));
-    constexpr double PI = 3.141592653589793;
-    if (angle(c, a, b) + angle(d, a, b) < PI + 1e-6) return false;
+    if (angle(c, a, b) + angle(d, a, b) < M_PI + 1e-6) return false;
     // After the flip the surface must not fold: within 60 degrees of how it lay.
     const Vector3d before = (normal(a, b, c) + normal(b, a, d)).normalized();
     constexpr double LEAST_COSINE = 0.5;

@@ -14,7 +14,6 @@ namespace posture {
 namespace {
 
 constexpr int NEIGHBORS = 16;
-constexpr double PI = 3.141592653589793;
 
 Points seenOf(const Points& points) {
   const std::vector<int> seen = finiteRows(points);
@@ -34,7 +33,7 @@ double spacingOf(const Points& finite, const PointIndex& index) {
   for (int i = 0; i < finite.rows(); ++i) {
     const auto near = index.nearest(finite.row(i), NEIGHBORS + 1);  // the point itself among them
     const auto others = std::max<double>(1, static_cast<double>(near.size()) - 1);
-    spacings[i] = near.back().distance * std::sqrt(PI / others);
+    spacings[i] = near.back().distance * std::sqrt(M_PI / others);
   }
   return percentile(spacings, 0.5);
 }

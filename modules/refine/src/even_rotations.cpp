@@ -9,11 +9,11 @@
 namespace posture {
 
 std::vector<Eigen::Matrix3d> evenRotations(int count) {
-  constexpr double PHI = 1.414213562373095, PSI = 1.533751168755204, TWO_PI = 6.283185307179586;
+  constexpr double PHI = 1.414213562373095, PSI = 1.533751168755204;
   std::vector<Eigen::Matrix3d> rotations;
   for (int i = 0; i < count; ++i) {
     const double s = i + 0.5, r = std::sqrt(s / count), rest = std::sqrt(1 - s / count);
-    const double alpha = TWO_PI * s / PHI, beta = TWO_PI * s / PSI;
+    const double alpha = 2 * M_PI * s / PHI, beta = 2 * M_PI * s / PSI;
     const Eigen::Quaterniond q(
         r * std::sin(alpha), r * std::cos(alpha), rest * std::sin(beta), rest * std::cos(beta));
     rotations.push_back(q.normalized().toRotationMatrix());

@@ -8,6 +8,7 @@
 #include <Spectra/SymEigsSolver.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -132,7 +133,7 @@ SpectralBasis spectralBasis(const Laplacian& laplacian, int count) {
   count = std::min(count, n - 2);
   // By Weyl's law the k-th eigenvalue is near 4 pi k / area; a shift of the first one's size keeps
   // the matrix definite and costs no convergence.
-  const double shift = 12.566370614359172 / laplacian.mass.sum();
+  const double shift = 4 * M_PI / laplacian.mass.sum();
   const InverseOperator inverse(laplacian, shift);
   Pairs pairs = largestPairs(inverse, count, 0);
   // A Krylov space holds one function of each eigenvalue. Where a symmetry of the mesh gives it

@@ -17,7 +17,6 @@ using namespace synthesis;
 
 namespace {
 
-constexpr double PI = 3.14159265358979323846;
 constexpr double NOTHING = std::numeric_limits<double>::quiet_NaN();
 
 /// From the middle of the body in radii of the sphere around it: it fills an image 47 degrees high.
@@ -69,7 +68,7 @@ Sphere sphereAround(const Points& points) {
 double broadSide(const Points& rest_position) {
   const Eigen::RowVector3d size =
       rest_position.colwise().maxCoeff() - rest_position.colwise().minCoeff();
-  return size.x() > size.y() ? PI / 2 : 0;
+  return size.x() > size.y() ? M_PI / 2 : 0;
 }
 
 /// Cameras all around, in turn from above and from a little below.
@@ -77,12 +76,12 @@ std::vector<Eigen::Isometry3d> placeCameras(const ArticulatedBody& body,
                                             const Sphere& sphere,
                                             int views,
                                             Rng& rng) {
-  constexpr double ABOVE = 35 * PI / 180, BELOW = -12 * PI / 180, ALONE = 10 * PI / 180;
-  constexpr double SCATTER = 10 * PI / 180;
-  const double start = views == 1 ? broadSide(body.rest_position) : 2 * PI * rng.uniform();
+  constexpr double ABOVE = 35 * M_PI / 180, BELOW = -12 * M_PI / 180, ALONE = 10 * M_PI / 180;
+  constexpr double SCATTER = 10 * M_PI / 180;
+  const double start = views == 1 ? broadSide(body.rest_position) : 2 * M_PI * rng.uniform();
   std::vector<Eigen::Isometry3d> cameras;
   for (int i = 0; i < views; ++i) {
-    const double azimuth = start + 2 * PI * i / views + SCATTER * (2 * rng.uniform() - 1);
+    const double azimuth = start + 2 * M_PI * i / views + SCATTER * (2 * rng.uniform() - 1);
     const double elevation = (views == 1   ? ALONE
                               : i % 2 == 0 ? ABOVE
                                            : BELOW) +

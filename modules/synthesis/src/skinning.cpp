@@ -99,7 +99,7 @@ Matrix skinWeights(const BodyShape& shape, const FleshField& field, const Points
 
 std::vector<Eigen::Isometry3d> boneMotions(const BodyShape& shape,
                                            const std::vector<JointAngles>& angles) {
-  constexpr double DEGREE = 3.14159265358979323846 / 180;
+  constexpr double DEGREE = M_PI / 180;
   std::vector<Eigen::Isometry3d> motions;
   for (std::size_t b = 0; b < shape.bones.size(); ++b) {
     const Bone& bone = shape.bones[b];
