@@ -4,12 +4,12 @@
 #include <posture/io/shape_io.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
-#include <posture/synthesis/articulated_body.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "apps/program.h"
+#include "support/bodies.h"
 #include "support/shapes.h"
 #include <filesystem>
 #include <fstream>
@@ -26,12 +26,7 @@ namespace fs = std::filesystem;
 
 const std::string POSTURE = std::string(PROGRAM_DIR) + "/posture";
 
-ArticulatedBody body(int pose) {
-  BodyOptions options;
-  options.vertices = 1000;
-  options.pose = pose;
-  return makeBody(options);
-}
+ArticulatedBody body(int pose) { return test::body(pose, 1000); }
 
 /// Results of register for a mesh, for the same body as a cloud, and for a noisy mesh of it.
 class Apply : public testing::Test {

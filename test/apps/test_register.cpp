@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/io/correspondence_io.h>
 #include <posture/io/mesh_io.h>
-#include <posture/synthesis/articulated_body.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "apps/program.h"
+#include "support/bodies.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <cmath>
@@ -51,13 +51,7 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
   return files;
 }
 
-TriangleMesh body(int pose) {
-  BodyOptions options;
-  options.vertices = 1000;
-  options.pose = pose;
-  options.tessellation = pose;
-  return makeBody(options).mesh;
-}
+TriangleMesh body(int pose) { return test::body(pose, 1000, pose).mesh; }
 
 /// With a vertex in no face, a second vertex at the place of the first, and a loose triangle.
 TriangleMesh untidy(const TriangleMesh& mesh) {

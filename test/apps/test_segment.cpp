@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/io/mesh_io.h>
 #include <posture/io/shape_io.h>
-#include <posture/synthesis/articulated_body.h>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/program.h"
+#include "support/bodies.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <filesystem>
@@ -32,12 +32,7 @@ namespace fs = std::filesystem;
 
 const std::string POSTURE = std::string(PROGRAM_DIR) + "/posture";
 
-ArticulatedBody body(int pose, int vertices = 1000) {
-  BodyOptions options;
-  options.vertices = vertices;
-  options.pose = pose;
-  return makeBody(options);
-}
+ArticulatedBody body(int pose, int vertices = 1000) { return test::body(pose, vertices); }
 
 std::vector<int> readParts(const fs::path& path) {
   std::istringstream rows(test::bytesOf(path));

@@ -8,8 +8,10 @@
 #include "refine/club.h"
 #include "refined_shape.h"
 #include "support/shapes.h"
+#include "support/unit_area.h"
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace posture {
@@ -23,7 +25,7 @@ RefinedShape ellipsoid(double bump) {
   for (auto place : mesh.vertices.rowwise())
     place *= 1 + bump * std::exp(-(place - top).squaredNorm() / (0.3 * 0.3));
   mesh.vertices.array().rowwise() *= Eigen::Array<double, 1, 3>(1, 0.75, 0.5);
-  mesh.vertices /= std::sqrt(faceAreas(mesh).sum());
+  mesh = test::unitArea(std::move(mesh));
   RefinedShape shape = fullSide("ellipsoid", mesh, false);
   reduceSide(static_cast<int>(mesh.vertices.rows()), shape);
   addSpectrum(shape);

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "contacts.h"
-#include "person.h"
+#include "support/bodies.h"
 #include "support/cpu_seconds.h"
 #include "support/shapes.h"
 #include <cmath>

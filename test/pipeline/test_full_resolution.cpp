@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "full_resolution.h"
-#include "person.h"
+#include "support/bodies.h"
 #include <cmath>
 
 namespace posture {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "patched_shape.h"
-#include "person.h"
+#include "support/bodies.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "person.h"
 #include "pieces.h"
+#include "support/bodies.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <cmath>

@@ -6,11 +6,11 @@
 #include <posture/mesh/edges.h>
 #include <posture/pipeline/deformed_surface.h>
 #include <posture/pipeline/register_shapes.h>
-#include <posture/synthesis/articulated_body.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/bodies.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <limits>
@@ -21,11 +21,7 @@ namespace posture {
 namespace {
 
 ArticulatedBody body(int pose, int tessellation = 0) {
-  BodyOptions options;
-  options.pose = pose;
-  options.vertices = 1500;
-  options.tessellation = tessellation;
-  return makeBody(options);
+  return test::body(pose, 1500, tessellation);
 }
 
 RegistrationOptions published() {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "person.h"
+#include "support/bodies.h"
 #include <algorithm>
 #include <cmath>
 #include <map>

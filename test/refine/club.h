@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "support/shapes.h"
+#include "support/unit_area.h"
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -37,8 +38,7 @@ inline TriangleMesh clubWithHand(double thumb = 0.8, int subdivisions = 4) {
   TriangleMesh mesh = sphere(subdivisions);
   for (auto p : mesh.vertices.rowwise())
     p = onClub(p, std::clamp((p.x() + 0.5) / 1.5, 0.0, 1.0), thumb);
-  mesh.vertices /= std::sqrt(faceAreas(mesh).sum());
-  return mesh;
+  return unitArea(std::move(mesh));
 }
 
 /// A body with a left hand at one end and a right hand at the other. Of an area of one.
@@ -50,8 +50,7 @@ inline TriangleMesh bodyWithTwoHands(double thumb) {
     p = onClub(p, p.x(), thumb);
     p.x() *= end;
   }
-  mesh.vertices /= std::sqrt(faceAreas(mesh).sum());
-  return mesh;
+  return unitArea(std::move(mesh));
 }
 
 inline int tipOf(const TriangleMesh& mesh) {

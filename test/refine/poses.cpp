@@ -9,7 +9,8 @@
 
 #include <Eigen/QR>
 
-#include <cmath>
+#include "support/bodies.h"
+#include "support/unit_area.h"
 #include <numeric>
 #include <utility>
 
@@ -18,23 +19,15 @@ namespace {
 
 constexpr int FUNCTIONS = 150;
 
-ArticulatedBody body(BodyKind kind, int pose) {
-  BodyOptions options;
-  options.kind = kind;
-  options.pose = pose;
-  options.vertices = 1000;
-  return makeBody(options);
-}
-
 Poses make(BodyKind kind) {
-  const ArticulatedBody a = body(kind, 0), b = body(kind, 3);
+  const ArticulatedBody a = body(0, 1000, 0, kind), b = body(3, 1000, 0, kind);
   return {a, b, spectralSurface(a.mesh, FUNCTIONS), spectralSurface(b.mesh, FUNCTIONS)};
 }
 
 }  // namespace
 
 SpectralSurface spectralSurface(TriangleMesh mesh, int functions) {
-  mesh.vertices /= std::sqrt(faceAreas(mesh).sum());
+  mesh = unitArea(std::move(mesh));
   SpectralBasis basis = spectralBasis(cotangentLaplacian(mesh), functions);
   return {std::move(mesh), basis.functions, std::move(basis.eigenvalues)};
 }

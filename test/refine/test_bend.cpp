@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "refine/poses.h"
+#include "support/bodies.h"
 #include "support/shapes.h"
 
 namespace posture {
@@ -125,12 +126,7 @@ TEST(Bend, takesNoMoreFunctionsThanThereAre) {
 
 TEST(Bend, registersAnotherTriangulation) {
   const test::Poses& poses = test::poses(BodyKind::HUMAN);
-  BodyOptions options;
-  options.kind = BodyKind::HUMAN;
-  options.vertices = 1300;
-  options.tessellation = 1;
-  options.pose = 3;
-  const ArticulatedBody other = makeBody(options);
+  const ArticulatedBody other = test::body(3, 1300, 1, BodyKind::HUMAN);
   const SpectralSurface b = test::spectralSurface(other.mesh, 150);
   VertexMaps truth;
   truth.forward.assign(poses.a.mesh.vertices.rows(), 0);

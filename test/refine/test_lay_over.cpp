@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/deformation/reduce_mesh.h>
-#include <posture/mesh/edges.h>
 #include <posture/refine/lay_over.h>
-#include <posture/synthesis/articulated_body.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include "support/bodies.h"
+#include "support/unit_area.h"
 #include <omp.h>
 
 namespace posture {
@@ -18,15 +17,7 @@ const Eigen::Matrix3d TURN =
     Eigen::AngleAxisd(2.4, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
 
 /// About 1000 vertices in farthest-point order, area about one.
-TriangleMesh body(int pose) {
-  BodyOptions options;
-  options.kind = BodyKind::QUADRUPED;
-  options.pose = pose;
-  options.vertices = 2000;
-  TriangleMesh mesh = makeBody(options).mesh;
-  mesh.vertices /= std::sqrt(faceAreas(mesh).sum());
-  return mesh;
-}
+TriangleMesh body(int pose) { return test::unitArea(test::body(pose, 2000).mesh); }
 
 /// The faces of a mesh with all corners where `keep` holds, without the other vertices.
 template <class Keep>

@@ -119,7 +119,7 @@ struct WholeAndHalf {
   }
 
   static std::unique_ptr<SpectralSurface> surface(TriangleMesh mesh) {
-    mesh.vertices /= std::sqrt(faceAreas(lump()).sum());
+    mesh.vertices /= rootArea(lump());
     const SpectralBasis basis = spectralBasis(cotangentLaplacian(mesh), 60);
     return std::make_unique<SpectralSurface>(mesh, basis.functions, basis.eigenvalues);
   }

@@ -8,6 +8,7 @@
 #include "refine/club.h"
 #include "refine/poses.h"
 #include "support/shapes.h"
+#include "support/unit_area.h"
 #include <cmath>
 #include <vector>
 
@@ -106,8 +107,7 @@ TEST_F(RefitLimbEnds, aHandThatFitsInNoWayIsLeftAlone) {
 }
 
 TEST(TurnLimb, aBallHasNoLimbs) {
-  TriangleMesh ball = test::sphere(3);
-  ball.vertices /= std::sqrt(faceAreas(ball).sum());
+  const TriangleMesh ball = test::unitArea(test::sphere(3));
   const SpectralSurface surface = test::spectralSurface(ball, 60);
   const std::vector<int> same = test::nearestOf(ball.vertices, ball);
   BentPair pair{{same, same}, ball.vertices, ball.vertices};

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <posture/mesh/normals.h>
-#include <posture/synthesis/articulated_body.h>
 
 #include <pcl/Vertices.h>
 #include <pcl/memory.h>
@@ -14,15 +13,6 @@
 #include <vector>
 
 namespace posture::test {
-
-/// A small quadruped; a registration of two takes a second or two.
-inline ArticulatedBody smallBody(int pose, int tessellation = 0, int vertices = 1000) {
-  BodyOptions options;
-  options.pose = pose;
-  options.vertices = vertices;
-  options.tessellation = tessellation;
-  return makeBody(options);
-}
 
 template <class PointT>
 typename pcl::PointCloud<PointT>::Ptr toCloud(const Points& points) {

@@ -11,6 +11,7 @@
 #include <pcl/registration/transformation_estimation_svd.h>
 
 #include "registration/pcl_bodies.h"
+#include "support/bodies.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <map>
@@ -30,7 +31,7 @@ Eigen::Affine3d motion() {
 
 /// Two poses, the second moved away.
 struct Bodies {
-  ArticulatedBody source_body = test::smallBody(0), target_body = test::smallBody(1, 1);
+  ArticulatedBody source_body = test::body(0, 1000), target_body = test::body(1, 1000, 1);
   Cloud::Ptr source = test::toCloud<PointXYZ>(source_body.mesh.vertices);
   Cloud::Ptr target =
       test::toCloud<PointXYZ>((motion() * target_body.mesh.vertices.transpose()).transpose());

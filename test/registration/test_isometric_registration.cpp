@@ -14,6 +14,7 @@
 #include <pcl/registration/transformation_estimation_svd_scale.h>
 
 #include "registration/pcl_bodies.h"
+#include "support/bodies.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -35,7 +36,7 @@ constexpr double NONE = std::numeric_limits<double>::max();
 
 /// Two poses, registered once as meshes; everything that was seen on the way.
 struct Registered {
-  ArticulatedBody source_body = test::smallBody(0), target_body = test::smallBody(2, 1);
+  ArticulatedBody source_body = test::body(0, 1000), target_body = test::body(2, 1000, 1);
   Cloud::Ptr source = test::toColoredCloud(source_body.mesh);
   Cloud::Ptr target = test::toColoredCloud(target_body.mesh);
   Registration registration;
@@ -386,7 +387,7 @@ TEST(IsometricRegistration, organisedPointsKeepTheirGridAndWhatWasNotSeen) {
   options.views = 1;
   options.points = 2500;
   const auto view = [&](int pose) {
-    const SimulatedScan scan = scanBody(test::smallBody(pose), options);
+    const SimulatedScan scan = scanBody(test::body(pose, 1000), options);
     const auto cloud = test::toCloud<PointXYZRGBNormal>(scan.cloud.points);
     cloud->width = scan.cloud.width;
     cloud->height = static_cast<std::uint32_t>(cloud->size() / cloud->width);
@@ -424,10 +425,7 @@ TEST(IsometricRegistration, organisedPointsKeepTheirGridAndWhatWasNotSeen) {
 }
 
 TEST(IsometricRegistration, undecidedDataGiveTheGuessWithoutConvergence) {
-  BodyOptions human;
-  human.kind = BodyKind::HUMAN;
-  human.vertices = 1000;
-  const TriangleMesh target = makeBody(human).mesh;
+  const TriangleMesh target = test::body(0, 1000, 0, BodyKind::HUMAN).mesh;
   Registration registration = copyOfRegistered();
   registration.setTargetMesh(test::toColoredCloud(target), test::toPolygons(target.faces));
   Cloud output;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "registration/pcl_bodies.h"
+#include "support/bodies.h"
 
 namespace posture {
 namespace {
@@ -13,8 +14,8 @@ namespace {
 // Neither is precompiled.
 TEST(OtherPointTypes, pointsInDoublePrecisionMatrices) {
   using Registration = IsometricRegistration<pcl::PointXYZRGBA, pcl::PointXYZRGBA, double>;
-  const auto source = test::toCloud<pcl::PointXYZRGBA>(test::smallBody(0, 0, 2000).mesh.vertices);
-  const auto target = test::toCloud<pcl::PointXYZRGBA>(test::smallBody(1, 0, 2000).mesh.vertices);
+  const auto source = test::toCloud<pcl::PointXYZRGBA>(test::body(0, 2000).mesh.vertices);
+  const auto target = test::toCloud<pcl::PointXYZRGBA>(test::body(1, 2000).mesh.vertices);
   for (std::size_t i = 0; i < source->size(); ++i) (*source)[i].rgba = static_cast<unsigned>(i);
   Registration registration;
   registration.setInputSource(source);
@@ -36,7 +37,7 @@ TEST(OtherPointTypes, pointsInDoublePrecisionMatrices) {
 TEST(OtherPointTypes, correspondences) {
   IsometricCorrespondenceEstimation<pcl::PointXYZRGBA, pcl::PointXYZRGBA> estimation;
   estimation.setInputSource(pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGBA>>());
-  estimation.setInputTarget(test::toCloud<pcl::PointXYZRGBA>(test::smallBody(0).mesh.vertices));
+  estimation.setInputTarget(test::toCloud<pcl::PointXYZRGBA>(test::body(0, 1000).mesh.vertices));
   pcl::Correspondences matches(3);
   estimation.determineCorrespondences(matches);
   EXPECT_TRUE(matches.empty());

@@ -4,10 +4,10 @@
 #include <posture/mesh/nearest_in_triangle.h>
 #include <posture/mesh/normals.h>
 #include <posture/segmentation/rigid_segments.h>
-#include <posture/synthesis/articulated_body.h>
 
 #include <gtest/gtest.h>
 
+#include "support/bodies.h"
 #include "support/cpu_seconds.h"
 #include "support/shapes.h"
 #include <cmath>
@@ -103,13 +103,7 @@ struct Poses {
   static const ArticulatedBody& body(BodyKind kind, int pose) {
     static std::map<std::pair<BodyKind, int>, ArticulatedBody> made;
     const auto [entry, is_new] = made.try_emplace({kind, pose});
-    if (is_new) {
-      BodyOptions options;
-      options.kind = kind;
-      options.pose = pose;
-      options.vertices = 1500;
-      entry->second = makeBody(options);
-    }
+    if (is_new) entry->second = test::body(pose, 1500, 0, kind);
     return entry->second;
   }
 

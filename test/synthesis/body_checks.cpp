@@ -154,13 +154,4 @@ int countSelfIntersections(const TriangleMesh& mesh) {
   return static_cast<int>(found.size());
 }
 
-BodyOptions bodyOptions(BodyKind kind, int pose, int tessellation, int vertices) {
-  BodyOptions options;
-  options.kind = kind;
-  options.pose = pose;
-  options.tessellation = tessellation;
-  options.vertices = vertices;
-  return options;
-}
-
 }  // namespace posture::test

@@ -27,6 +27,4 @@ std::vector<double> edgeChangesOf(const ArticulatedBody& body);
 /// Pairs of faces without a common corner that cut each other.
 int countSelfIntersections(const TriangleMesh& mesh);
 
-BodyOptions bodyOptions(BodyKind kind, int pose = 0, int tessellation = 0, int vertices = 2500);
-
 }  // namespace posture::test

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "body_checks.h"
+#include "support/bodies.h"
 #include <cmath>
 #include <stdexcept>
 

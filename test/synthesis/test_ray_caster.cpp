@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "body_checks.h"
+#include "support/bodies.h"
 #include "support/shapes.h"
 #include <cmath>
 #include <limits>

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "body_checks.h"
+#include "support/bodies.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
