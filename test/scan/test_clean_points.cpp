@@ -137,12 +137,15 @@ TEST(CleanPoints, KeepSheetsApartThatAreNearlyAsCloseAsTheirPoints) {
   EXPECT_EQ(eulerCharacteristic(mesh), 6);
   // The inner side of the shell looks inwards.
   const Points normals = vertexNormals(mesh);
+  int inner = 0;
   for (int v = 0; v < mesh.vertices.rows(); ++v) {
     const double radius = mesh.vertices.row(v).norm();
     if (std::abs(radius - 1) < 1e-9) {
       EXPECT_LT(normals.row(v).dot(mesh.vertices.row(v)), 0);
+      ++inner;
     }
   }
+  EXPECT_GT(inner, 0);
 }
 
 TEST(CleanPoints, LeaveTheRimOfAHalfSphereOpen) {

@@ -106,11 +106,14 @@ TEST(BoneNames, ComeInPairs) {
     const ArticulatedBody body = makeBody(bodyOptions(kind, 0, 0, 1000));
     const std::set<std::string> names(body.bone_names.begin(), body.bone_names.end());
     EXPECT_EQ(names.size(), body.bone_names.size());
+    int pairs = 0;
     for (const std::string& name : names) {
       if (name.size() > 2 && name.substr(name.size() - 2) == "_r") {
         EXPECT_EQ(names.count(name.substr(0, name.size() - 1) + "l"), 1u);
+        ++pairs;
       }
     }
+    EXPECT_GT(pairs, 3);
   }
 }
 

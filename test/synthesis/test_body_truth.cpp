@@ -74,6 +74,7 @@ TEST(MirrorTruth, TakesLeftForRight) {
     const std::vector<VertexPair> mirror = mirrorTruth(body, body);
     EXPECT_GT(static_cast<double>(mirror.size()),
               0.98 * static_cast<double>(body.mesh.vertices.rows()));
+    int forearm = 0, beside = 0;
     for (const VertexPair& pair : mirror) {
       const std::string &from = body.bone_names[body.bone[pair.source]],
                         &to = body.bone_names[body.bone[pair.target]];
@@ -83,12 +84,16 @@ TEST(MirrorTruth, TakesLeftForRight) {
                 0.06);
       if (from == "forearm_r") {
         EXPECT_NE(to.substr(to.size() - 2), "_r") << to;
+        ++forearm;
       }
       if (std::abs(body.rest_position(pair.source, 0)) > 0.05) {
         EXPECT_LT(body.rest_position(pair.source, 0) * body.rest_position(pair.target, 0), 0)
             << from << " -> " << to;
+        ++beside;
       }
     }
+    EXPECT_GT(forearm, 0);
+    EXPECT_GT(beside, 0);
   }
 }
 
