@@ -77,6 +77,19 @@ Outcome moveAsAWhole(const Shape& source, const Shape& target, const RigidResult
   return outcome;
 }
 
+RigidResult registerRigid(const ComparedRun& run,
+                          RigidMethod method,
+                          const Shape& source,
+                          const Shape& target) {
+  try {
+    return registerRigidly(method, cloudOf(source), cloudOf(target), run.seed);
+  } catch (const InputError& error) {
+    // It does not say which side.
+    throw InputError(run.pair.source.string() + " onto " + run.pair.target.string() + ": " +
+                     error.what());
+  }
+}
+
 Outcome apply(const ComparedRun& run, const Shape& source, const Shape& target) {
   if (run.method == "posture") return registerByPosture(run.pair, source, target);
   if (run.method == "as-given") {
@@ -86,8 +99,7 @@ Outcome apply(const ComparedRun& run, const Shape& source, const Shape& target) 
   }
   for (RigidMethod method : rigidMethods())
     if (keyOf(method) == run.method)
-      return moveAsAWhole(
-          source, target, registerRigidly(method, cloudOf(source), cloudOf(target), run.seed));
+      return moveAsAWhole(source, target, registerRigid(run, method, source, target));
   throw std::invalid_argument("no method '" + run.method + "'");
 }
 

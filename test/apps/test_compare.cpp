@@ -311,8 +311,10 @@ TEST_F(Compare, VariationsMoveAndScaleAndShuffleTheSource) {
 TEST_F(Compare, NamesTheFileThatCannotBeUsed) {
   const std::string line = folder_ / "line.off", flat = folder_ / "flat.off";
   std::ofstream(line) << "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n";
-  compare({flat, line, "--method", "posture", "--variation", "aligned"});
+  compare({flat, line, "--method", "posture", "--method", "icp", "--variation", "aligned"});
   EXPECT_EQ(result("pair.aligned.posture")["message"], line + ": has only faces without area");
+  EXPECT_EQ(result("pair.aligned.icp")["message"],
+            flat + " onto " + line + ": 3 points, expected 10 or more");
 }
 
 TEST_F(Compare, AListGivesARowAMethodAndVariation) {

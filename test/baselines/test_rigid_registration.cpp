@@ -152,6 +152,20 @@ TEST_P(EveryMethod, EndsWithoutAnAlignmentWhereThereIsNone) {
   EXPECT_EQ(with(body(), few), "7 points, expected 10 or more");
 }
 
+TEST_P(EveryMethod, RefusesWhatItCannotComputeWith) {
+  const auto with = [&](const PointCloud& source, const PointCloud& target) {
+    return test::inputErrorOf([&] { registerRigidly(GetParam(), source, target); });
+  };
+  for (const double unit : {1e160, 1e300}) {
+    PointCloud large = body(), small = body();
+    large.points *= unit;
+    small.points /= unit;
+    EXPECT_EQ(with(body(), large), "has coordinates too large to compute with");
+    EXPECT_EQ(with(body(), small), "is too small to compute with");
+    EXPECT_EQ(with(large, body()), "a point too far off to compute with");
+  }
+}
+
 /// The step has no single solution there, and PCL's search ends the program at no number.
 TEST_P(EveryMethod, EndsOnAPlane) {
   Rng rng(5);

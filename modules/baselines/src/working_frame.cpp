@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "working_frame.h"
 
+#include <posture/core/computable.h>
 #include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
 
@@ -36,6 +37,8 @@ WorkingFrame::WorkingFrame(const Points& target, double size) {
   const Points points = target(enoughRows(target), Eigen::all);
   center_ = points.colwise().mean();
   const Eigen::Vector3d box(spread(points.col(0)), spread(points.col(1)), spread(points.col(2)));
+  requireNotTooLarge(center_.cwiseAbs().maxCoeff() + box.maxCoeff());
+  requireNotTooSmall(box.maxCoeff());
   unit_ = box.norm() / size;
   if (!(unit_ > 0)) throw InputError("all points at one place");
 }
@@ -44,6 +47,9 @@ LocalCloud WorkingFrame::local(const PointCloud& cloud) const {
   const std::vector<int> rows = enoughRows(cloud.points);
   LocalCloud local;
   local.points = (cloud.points(rows, Eigen::all).rowwise() - center_.transpose()) / unit_;
+  constexpr double FARTHEST = 1e15;  // PCL squares distances in single precision
+  if (!(local.points.cwiseAbs().maxCoeff() < FARTHEST))
+    throw InputError("a point too far off to compute with");
   if (cloud.normals.rows() > 0) local.normals = cloud.normals(rows, Eigen::all);
   if (cloud.sensor) local.sensor = (*cloud.sensor - center_) / unit_;
   return local;

@@ -42,7 +42,8 @@ struct RigidResult {
 /// are not finite are left out. Normals that are given (unit length, zero: unknown) are used by the
 /// methods that need some, otherwise they are estimated by PCL.
 /// \param seed  of std::rand, which PCL draws from and which is seeded here (FPFH_ICP alone).
-/// \throws InputError  fewer than 10 finite points on a side, or all at one place.
+/// \throws InputError  fewer than 10 finite points on a side, or all at one place; coordinates too
+///         large or too small to compute with.
 RigidResult registerRigidly(RigidMethod method,
                             const PointCloud& source,
                             const PointCloud& target,
