@@ -21,6 +21,7 @@ class MeshLocator {
   };
 
   /// May be called from several threads. Of equally near faces the first.
+  /// \throws std::invalid_argument  the square of the distance is not finite.
   Place nearest(const Eigen::Vector3d& point) const;
 
  private:

@@ -6,8 +6,8 @@
 
 namespace posture {
 
-// Lengths are multiplied up to six times, fourfold for an angle of a face: beyond these limits the
-// products overflow or vanish, and what is told from them is wrong.
+// Up to six lengths are multiplied: beyond these limits the products overflow or vanish, and what
+// is told from them is wrong.
 
 /// \param coordinate  the largest one.
 inline void requireNotTooLarge(double coordinate) {

@@ -56,8 +56,8 @@ enum class Facing {
 /// Welds vertices at the same place, drops degenerate and repeated faces, orients faces alike,
 /// keeps the main surface. Edges with more than two faces stay: geodesics run across them;
 /// cutNonManifold() separates them where a stage needs it.
-/// \throws InputError  no face is left, or none with an area; std::invalid_argument  as
-/// requireMesh().
+/// \throws InputError  no face is left, or none with an area; too large or too small to compute
+/// with; std::invalid_argument  as requireMesh().
 CleanMesh cleanMesh(const TriangleMesh& input, Facing facing = Facing::OUTWARD);
 
 /// Turns the main surface the other way round, and pieces that do not tell their outside.

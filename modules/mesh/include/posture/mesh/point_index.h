@@ -18,14 +18,15 @@ class PointIndex {
     double distance;  ///< in the unit of the points, not squared
   };
 
-  /// \throws std::invalid_argument  no points.
+  /// \throws std::invalid_argument  no points; one is not finite.
   explicit PointIndex(const Points& points);
   ~PointIndex();
   PointIndex(PointIndex&&) noexcept;
   PointIndex& operator=(PointIndex&&) noexcept;
 
   /// May be called from several threads. From farther than a thousand times the extent of the
-  /// points, which is nearest and how far is good to half a percent. \pre  the query is finite.
+  /// points, which is nearest and how far is good to half a percent.
+  /// \throws std::invalid_argument  the query is not finite; as all here.
   Neighbor nearest(const Eigen::Vector3d& query) const;
 
   /// The nearest \p count points (all, where there are fewer), near ones first; likewise.

@@ -66,7 +66,8 @@ struct ScanSurface {
 /// up to rounding. Faces are counter-clockwise seen from outside: from the sensor where known, else
 /// as the grid of a depth image is seen, else away from the inside of the body.
 ///
-/// \throws InputError  no finite point; too few different points; all on one line; no surface;
+/// \throws InputError  no finite point; too few different points; all on one line; no surface; too
+/// large or too small to compute with;
 /// std::invalid_argument  normals that are not one a point, a grid of negative width;
 /// std::runtime_error  PCL's method is asked for and its library is not installed.
 ScanSurface reconstruct(const PointCloud& cloud, const ReconstructionOptions& options = {});
