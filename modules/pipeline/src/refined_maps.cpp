@@ -5,13 +5,12 @@
 #include <posture/core/parallel.h>
 #include <posture/refine/bend.h>
 #include <posture/refine/let_go.h>
-#include <posture/refine/rigid_ends.h>
 #include <posture/refine/turn_limbs.h>
 
-#include "answer_gap.h"
 #include "by_score.h"
+#include "ends_of_maps.h"
+#include "work_surfaces.h"
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -70,33 +69,6 @@ BentPair sharpened(const Eigen::MatrixXf& coarse_functions,
           target.mesh.vertices(sharp.forward, Eigen::all),
           source.mesh.vertices(sharp.backward, Eigen::all)};
 }
-
-/// The work meshes of the target and of the source at each finalist's scale, most of which are 1.
-class WorkSurfaces {
- public:
-  WorkSurfaces(const RefinedShape& source,
-               const RefinedShape& target,
-               const std::vector<const Finalist*>& finalists) {
-    for (const Finalist* finalist : finalists)
-      if (std::find(scales_.begin(), scales_.end(), finalist->scale) == scales_.end())
-        scales_.push_back(finalist->scale);
-    surfaces_.resize(1 + scales_.size());
-    parallelFor(static_cast<int>(surfaces_.size()), [&](int i) {
-      const RefinedShape shape = i == 0 ? target : rescaled(source, scales_[i - 1]);
-      surfaces_[i] = std::make_unique<const SpectralSurface>(shape.workSurface());
-    });
-  }
-
-  const SpectralSurface& target() const { return *surfaces_[0]; }
-  const SpectralSurface& source(double scale) const {
-    const auto found = std::find(scales_.begin(), scales_.end(), scale);
-    return *surfaces_[1 + (found - scales_.begin())];
-  }
-
- private:
-  std::vector<double> scales_;
-  std::vector<std::unique_ptr<const SpectralSurface>> surfaces_;  // the target's first
-};
 
 /// What of the work meshes' map the coarse meshes hold.
 BentPair onCoarse(const RefinedShape& source, const RefinedShape& target, const BentPair& pair) {
@@ -176,78 +148,6 @@ void letGoOfWhatIsSqueezed(const SpectralSurface& source,
   if (orientation(source, target, loose.maps) <= LEAST_ORIENTATION) return;
   map.pair = std::move(loose);
   map.score = *score;
-}
-
-/// The tips that different answers take to different places.
-std::vector<int> takenApart(const std::vector<int>& tips,
-                            const TriangleMesh& other,
-                            const std::vector<const std::vector<int>*>& maps,
-                            double gap) {
-  std::vector<int> apart;
-  for (int tip : tips) {
-    const auto place = [&](const std::vector<int>* map) { return other.vertices.row((*map)[tip]); };
-    if (std::any_of(maps.begin(), maps.end(), [&](const std::vector<int>* map) {
-          return (place(map) - place(maps.front())).norm() > gap;
-        }))
-      apart.push_back(tip);
-  }
-  return apart;
-}
-
-/// How much worse ends of limbs fit under each of several answers than under the others, the mean
-/// of both ways.
-std::vector<double> disagreementsOfEnds(const RefinedShape& source,
-                                        const RefinedShape& target,
-                                        const WorkSurfaces& surfaces,
-                                        const std::vector<const RefinedMap*>& answers,
-                                        double gap) {
-  const SpectralSurface& target_work = surfaces.target();
-  std::vector<const std::vector<int>*> forward, backward;
-  for (const RefinedMap* map : answers) {
-    forward.push_back(&map->pair.maps.forward);
-    backward.push_back(&map->pair.maps.backward);
-  }
-  const std::vector<int> source_tips = takenApart(source.tips(), target_work.mesh, forward, gap),
-                         target_tips = takenApart(target.tips(), source.work.mesh, backward, gap);
-  std::vector<std::vector<EndFit>> there, back;
-  for (const RefinedMap* map : answers) {
-    const SpectralSurface& source_work = surfaces.source(map->scale);
-    const VertexMaps& both = map->pair.maps;
-    there.push_back(fitEnds(source_work, target_work, source_tips, both));
-    back.push_back(fitEnds(target_work, source_work, target_tips, {both.backward, both.forward}));
-  }
-  std::vector<double> sums = endDisagreements(there);
-  const std::vector<double> sums_back = endDisagreements(back);
-  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = 0.5 * (sums[k] + sums_back[k]);
-  const double least = *std::min_element(sums.begin(), sums.end());
-  for (double& sum : sums) sum -= least;
-  return sums;
-}
-
-/// Where maps are different answers, compares them by how ends of limbs fit, too: a body that is
-/// half turned has each hand on the other one. A map that let go of an end which fits under another
-/// one pays for it. Maps of one answer are judged by its best.
-/// \param maps  by increasing score; the best first.
-void judgeByEnds(const RefinedShape& source,
-                 const RefinedShape& target,
-                 const WorkSurfaces& surfaces,
-                 std::vector<RefinedMap>& maps) {
-  const double gap = answerGap(target.samples);
-  std::vector<const RefinedMap*> answers;
-  std::vector<std::size_t> answer_of;
-  for (const RefinedMap& map : maps) {
-    const auto known = std::find_if(answers.begin(), answers.end(), [&](const RefinedMap* other) {
-      return gapBetween(surfaces.target().mesh, map.pair.maps, other->pair.maps) <= gap;
-    });
-    answer_of.push_back(known - answers.begin());
-    if (known == answers.end()) answers.push_back(&map);
-  }
-  if (answers.size() < 2) return;
-  const std::vector<double> ends = disagreementsOfEnds(source, target, surfaces, answers, gap);
-  for (std::size_t i = 0; i < maps.size(); ++i) maps[i].ends = ends[answer_of[i]];
-  std::stable_sort(maps.begin(), maps.end(), [](const RefinedMap& a, const RefinedMap& b) {
-    return a.judged() < b.judged();
-  });
 }
 
 /// Annealed, ends of limbs that then do not fit laid anew, and annealed again.
