@@ -78,19 +78,48 @@ Spine spineOf(const Limb& limb, const Lie& lie) {
   return {lie.places, limb.distance, limb.surface->laplacian.mass, limb.reach};
 }
 
-Lie turned(const Limb& limb, const Lie& lie, const LimbTurn& turn, double sign) {
-  const Spine spine = spineOf(limb, lie);
-  Lie now = lie;
-  if (turn.angle == 0) return now;
+/// How much of the end's motion a place makes: all up to `end`, nothing from `body` on.
+double shareAt(double distance, double end, double body) {
+  return std::clamp((body - distance) / (body - end), 0.0, 1.0);
+}
+
+/// \param motion_at  of a distance from the tip.
+template <class MotionAt>
+Lie moved(const Limb& limb, Lie lie, double body, const MotionAt& motion_at) {
   for (int v = 0; v < lie.places.rows(); ++v) {
-    const double between =
-        std::clamp((turn.body - limb.distance[v]) / (turn.body - turn.end), 0.0, 1.0);
-    if (between == 0) continue;
-    const Eigen::Isometry3d motion = spine.turn(limb.distance[v], sign * between * turn.angle);
-    now.places.row(v) = (motion * Eigen::Vector3d(lie.places.row(v))).transpose();
-    now.normals.row(v) = lie.normals.row(v) * motion.linear().transpose();
+    if (limb.distance[v] >= body) continue;
+    const Eigen::Isometry3d motion = motion_at(limb.distance[v]);
+    lie.places.row(v) = (motion * Eigen::Vector3d(lie.places.row(v))).transpose();
+    lie.normals.row(v) = lie.normals.row(v) * motion.linear().transpose();
   }
-  return now;
+  return lie;
+}
+
+Lie turned(const Limb& limb, const Lie& lie, const LimbTurn& turn, double sign) {
+  if (turn.angle == 0) return lie;
+  const Spine spine = spineOf(limb, lie);
+  return moved(limb, lie, turn.body, [&](double distance) {
+    return spine.turn(distance, sign * shareAt(distance, turn.end, turn.body) * turn.angle);
+  });
+}
+
+/// \param motion  of the end.
+Lie endMoved(const Limb& limb,
+             const Lie& lie,
+             const Eigen::Isometry3d& motion,
+             const EndMove& move) {
+  std::vector<int> end;
+  for (std::size_t v = 0; v < limb.distance.size(); ++v)
+    if (limb.distance[v] <= move.end) end.push_back(static_cast<int>(v));
+  if (end.empty()) return lie;
+  const Eigen::Vector3d middle = lie.places(end, Eigen::all).colwise().mean().transpose(),
+                        shift = motion * middle - middle;
+  const Eigen::AngleAxisd turn(motion.linear());
+  return moved(limb, lie, move.body, [&](double distance) {
+    const double share = shareAt(distance, move.end, move.body);
+    return Eigen::Translation3d(middle + share * shift) *
+           Eigen::AngleAxisd(share * turn.angle(), turn.axis()) * Eigen::Translation3d(-middle);
+  });
 }
 
 std::vector<int> nearest(const Lie& from, const BendableSurface& to, double normal_sq) {
@@ -199,7 +228,10 @@ LimbPair::LimbPair(const SpectralSurface& a,
 }
 
 BentPair LimbPair::laid(const LimbTurn& turn) const {
-  const Lie a = turned(a_, lie_a_, turn, 1), b = turned(b_, lie_b_, turn, -1);
+  return matched(turned(a_, lie_a_, turn, 1), turned(b_, lie_b_, turn, -1));
+}
+
+BentPair LimbPair::matched(const Lie& a, const Lie& b) const {
   const double normal_sq = FIRST_NORMAL_WEIGHT / softness_;
   return {{nearest(a, *b_.surface, normal_sq), nearest(b, *a_.surface, normal_sq)},
           a.places,
@@ -214,8 +246,14 @@ BentPair LimbPair::settled(const LimbTurn& turn) const {
   return pair;
 }
 
-BentPair LimbPair::annealed(const LimbTurn& turn) const {
-  BentPair pair = laid(turn);
+BentPair LimbPair::annealed(const LimbTurn& turn) const { return annealed(laid(turn)); }
+
+BentPair LimbPair::annealed(const EndMove& move) const {
+  return annealed(
+      matched(endMoved(a_, lie_a_, move.of_a, move), endMoved(b_, lie_b_, move.of_b, move)));
+}
+
+BentPair LimbPair::annealed(BentPair pair) const {
   anneal(*a_.surface, *b_.surface, softness_, pair);
   return pair;
 }

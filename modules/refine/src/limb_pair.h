@@ -4,6 +4,8 @@
 
 #include <posture/refine/turn_limbs.h>
 
+#include <Eigen/Geometry>
+
 #include <optional>
 #include <vector>
 
@@ -38,6 +40,12 @@ double oneWayMisfit(const BendableSurface& a,
                     double softness,
                     const BentPair& pair);
 
+/// The end of a limb moved as a whole, and what lies between it and the body in proportion.
+struct EndMove {
+  Eigen::Isometry3d of_a, of_b;  ///< from how each surface lies
+  double end = 0, body = 1;      ///< as those of LimbTurn
+};
+
 /// A limb of both surfaces, tried one way after another.
 class LimbPair {
  public:
@@ -57,6 +65,9 @@ class LimbPair {
   /// Turned, and annealed: half as many rounds do not tell turns apart.
   BentPair annealed(const LimbTurn& turn) const;
 
+  /// The end moved, and annealed.
+  BentPair annealed(const EndMove& move) const;
+
   /// \param pair  of the limb, as the functions above return it.
   double misfit(const BentPair& pair) const;
 
@@ -64,6 +75,8 @@ class LimbPair {
 
  private:
   BentPair laid(const LimbTurn& turn) const;
+  BentPair matched(const Lie& a, const Lie& b) const;
+  BentPair annealed(BentPair pair) const;
 
   Limb a_, b_;
   bool is_limb_;

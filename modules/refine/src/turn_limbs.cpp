@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/parallel.h>
+#include <posture/mesh/rigid_motion.h>
+#include <posture/refine/rigid_ends.h>
 #include <posture/refine/turn_limbs.h>
 
 #include "limb_pair.h"
@@ -37,6 +39,10 @@ constexpr std::array<double, 5> END_ANGLES{0, M_PI / 2, -M_PI / 2, M_PI, -M_PI};
 
 /// How far beyond what turns a limb is looked at.
 constexpr double MARGIN = 0.1;
+
+/// What takes up how an end is moved that is laid as it fits, and how much beyond is looked at: a
+/// head with a quarter of the body around it would be no limb any more.
+constexpr double NECK = 0.1, BESIDE_NECK = 0.05;
 
 /// The end of a limb by which turns of it are judged.
 constexpr double END = 0.2;
@@ -115,6 +121,52 @@ std::vector<Lying> endsTurned(const LimbPair& limb,
   return laid;
 }
 
+/// The motion of vertices from where they lie to where another motion takes them from rest.
+Eigen::Isometry3d moveTo(const Eigen::Isometry3d& motion,
+                         const Points& rest,
+                         const Points& bent,
+                         const std::vector<int>& vertices) {
+  Points laid = rest(vertices, Eigen::all);
+  for (auto place : laid.rowwise()) place = (motion * Eigen::Vector3d(place)).transpose();
+  return rigidMotion(bent(vertices, Eigen::all), laid);
+}
+
+std::vector<int> within(const SpectralSurface& surface, int tip, double reach) {
+  const std::vector<double>& distance = surface.distances.from(tip);
+  std::vector<int> vertices;
+  for (std::size_t v = 0; v < distance.size(); ++v)
+    if (distance[v] <= reach) vertices.push_back(static_cast<int>(v));
+  return vertices;
+}
+
+/// With the end laid as it fits as a rigid body, where it does so in one way only and lies turned:
+/// a head, about whatever axis. The neck takes up what that moves it by.
+Lying laidAsItFits(const SpectralSurface& a,
+                   const SpectralSurface& b,
+                   int tip,
+                   double softness,
+                   const EndPair& end,
+                   const BentPair& pair) {
+  Lying lying;
+  const std::vector<RigidEnd> fitting = rigidEnds(a, b, {tip}, pair.maps);
+  if (fitting.empty() || !fitting.front().turned) return lying;
+  const RigidEnd& rigid = fitting.front();
+  const int tip_b = pair.maps.forward[tip];
+  EndMove move;
+  for (int v : rigid.vertices) move.end = std::max(move.end, a.distances.from(tip)[v]);
+  move.body = move.end + NECK;
+  const LimbPair limb(a, b, tip, move.body + BESIDE_NECK, softness, pair);
+  if (!limb.isLimb()) return lying;
+  move.of_a = moveTo(rigid.motion, a.mesh.vertices, pair.bent_a, rigid.vertices);
+  move.of_b =
+      moveTo(rigid.motion.inverse(), b.mesh.vertices, pair.bent_b, within(b, tip_b, move.end));
+  lying.whole = pair;
+  limb.putInto(limb.annealed(move), lying.whole);
+  const double misfit = end.misfit(lying.whole);
+  if (std::isfinite(misfit)) lying.misfit = misfit;
+  return lying;
+}
+
 }  // namespace
 
 std::vector<LimbTurn> likelyTurns(const SpectralSurface& a,
@@ -165,6 +217,13 @@ bool refitLimbEnd(
     if (!(std::min(best.misfit, turned.misfit) < good)) break;
   }
   if (turned.misfit < CLEARLY_BETTER * best.misfit) best = std::move(turned);
+  if (best.misfit >= FITS) {
+    try {
+      Lying fitting = laidAsItFits(a, b, tip, softness, end, pair);
+      if (fitting < best) best = std::move(fitting);
+    } catch (const std::runtime_error&) {  // a crumb of the limb that nothing holds
+    }
+  }
   if (!(best.misfit < good && best.misfit < FITS_NOWHERE)) return false;
   pair = std::move(best.whole);
   return true;

@@ -4,6 +4,8 @@
 
 #include <posture/refine/surface.h>
 
+#include <Eigen/Geometry>
+
 #include <vector>
 
 namespace posture {
@@ -18,7 +20,8 @@ struct PlacePair {
 struct RigidEnd {
   std::vector<int> vertices;      ///< of a
   std::vector<PlacePair> places;  ///< spread over what of it has a partner
-  bool turned = false;            ///< by more than 30 degrees against how the map lays it
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  ///< lays it on that of b
+  bool turned = false;  ///< by more than 30 degrees against how the map lays it
 };
 
 /// Lays the ends of limbs of one surface on those of another, each by itself, from all sides and
