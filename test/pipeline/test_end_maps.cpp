@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/mesh/edges.h>
-
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "end_maps.h"
 #include "refine/club.h"
 #include "support/shapes.h"
+#include "support/unit_area.h"
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace posture {
@@ -40,8 +40,7 @@ TriangleMesh starWithHead() {
                                  (bump.width * bump.width));
     place *= out;
   }
-  mesh.vertices /= std::sqrt(faceAreas(mesh).sum());
-  return mesh;
+  return test::unitArea(std::move(mesh));
 }
 
 class EndMaps : public testing::Test {

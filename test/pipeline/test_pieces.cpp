@@ -62,7 +62,7 @@ struct PieceAndWhole {
         truth.push_back({v->second, pair.target});
   }
 
-  double size() const { return std::sqrt(faceAreas(whole).sum()); }
+  double size() const { return rootArea(whole); }
 
   Piece piece;
   TriangleMesh whole;

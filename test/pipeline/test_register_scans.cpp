@@ -50,7 +50,7 @@ const Registered& registered() {
 /// and a known counterpart.
 double meanMiss(const std::string& truth) {
   const Registered& r = registered();
-  const double size = std::sqrt(faceAreas(readMesh(SCANS / "human-pose6.ply").mesh).sum());
+  const double size = rootArea(readMesh(SCANS / "human-pose6.ply").mesh);
   double sum = 0;
   int count = 0;
   for (const VertexPair& pair : readVertexPairs(SCANS / truth)) {

@@ -75,7 +75,7 @@ class SeveredArms : public testing::Test {
                     const Severed& source,
                     const Severed& target,
                     bool hand) const {
-    const double size = std::sqrt(faceAreas(target.mesh).sum());
+    const double size = rootArea(target.mesh);
     Outcome outcome;
     for (const VertexPair& pair : groundTruth(body_, other_)) {
       const auto s = source.of_body.find(pair.source), t = target.of_body.find(pair.target);

@@ -35,7 +35,7 @@ bool confirms(const RegistrationResult* known,
   for (std::size_t v = 0; v < places.size(); ++v) {
     const int coarse = shape.coarse.nearest[shape.work.nearest[clean.clean_vertex[v]]];
     const bool is_mapped =
-        clean.offset[static_cast<Eigen::Index>(v)] == 0 && (apart.empty() || !apart[coarse]);
+        clean.offset[static_cast<Eigen::Index>(v)] == 0 && !isApart(apart, coarse);
     if (is_mapped) on_target[v].vertex = places[v];
   }
   return agreeEverywhere(

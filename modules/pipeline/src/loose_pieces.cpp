@@ -245,7 +245,7 @@ PieceTarget pieceTarget(const GivenShape& target) {
   return {target.input,
           inputNormals(target),
           meanEdgeLength(target.clean.mesh),
-          std::sqrt(faceAreas(target.clean.mesh).sum())};
+          rootArea(target.clean.mesh)};
 }
 
 bool hasLoosePieces(const GivenShape& shape) { return (shape.clean.offset.array() > 0).any(); }

@@ -157,9 +157,6 @@ void annealWithEndsRefitted(const RefinedShape& source,
                             BentPair& pair) {
   const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
   anneal(source_work, target_work, softness, pair);
-  const auto isApart = [](const std::vector<char>& apart, int v) {
-    return !apart.empty() && apart[v] != 0;
-  };
   for (int tip : source.tips())
     if (!isApart(pair.apart_a, tip) && !isApart(pair.apart_b, pair.maps.forward[tip]))
       refitLimbEnd(source_work, target_work, tip, softness, pair);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "target_part.h"
 
-#include <posture/mesh/nearest_in_triangle.h>
+#include <posture/mesh/nearest_on_faces.h>
 #include <posture/mesh/weld.h>
 
 #include <algorithm>
@@ -64,22 +64,15 @@ TargetPart::Near TargetPart::nearest(const Eigen::RowVector3d& place) const {
   Near near;
   near.at.vertex = vertex_[index_->nearest(place.transpose()).index];
   near.place = mesh.vertices.row(near.at.vertex);
-  double least = (near.place - place).norm();
-  const VertexFaces& around = surface_.faces_around;
-  for (const int* f = around.begin(near.at.vertex); f != around.end(near.at.vertex); ++f) {
-    const Eigen::RowVector3i corners = mesh.faces.row(*f);
-    const Eigen::Matrix3d places = mesh.vertices(corners, Eigen::all);
-    const Eigen::Vector3d at = nearestInTriangle<Eigen::Vector3d>(
-        place.transpose(), places.row(0), places.row(1), places.row(2));
-    const Eigen::RowVector3d there = at.transpose() * places;
-    const double distance = (there - place).norm();
-    if (near.at.face >= 0 && !(distance < least)) continue;
-    least = std::min(least, distance);
-    near.place = there;
-    near.at.face = *f;
-    near.at.barycentric = at;
+  NearestPlace best;
+  lookAround(
+      mesh.vertices, mesh.faces, surface_.faces_around, near.at.vertex, place.transpose(), best);
+  if (best.face >= 0) {
+    near.place = best.place.transpose();
+    near.at.face = best.face;
+    near.at.barycentric = best.barycentric;
   }
-  near.distance = least / surface_.edge;
+  near.distance = (near.place - place).norm() / surface_.edge;
   return near;
 }
 
