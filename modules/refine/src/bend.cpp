@@ -64,7 +64,7 @@ Points bentOnto(const SpectralSurface& from,
                 const std::vector<int>& matches,
                 int k,
                 double softness) {
-  const Points goals = rowsAt(to.mesh.vertices, matches);
+  const Points goals = to.mesh.vertices(matches, Eigen::all);
   const Arap::Attraction attraction = from.arap.attract(softness, belief(from, to, matches));
   return from.arap.pull(lowPass(from, goals, k), goals, attraction, BENDING_STEPS);
 }
@@ -113,7 +113,7 @@ VertexMaps sharpen(const SpectralSurface& a,
                            const SpectralSurface& to,
                            const std::vector<int>& matches) {
       return BothPoses{lowPass(from, from.mesh.vertices, k),
-                       lowPass(from, rowsAt(to.mesh.vertices, matches), k)};
+                       lowPass(from, to.mesh.vertices(matches, Eigen::all), k)};
     };
     maps = nearestMaps(a,
                        poses(a, b, maps.forward),

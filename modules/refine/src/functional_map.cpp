@@ -39,7 +39,7 @@ FunctionalMaps fitFunctionalMaps(const SpectralSurface& a,
   const auto values = [&](const SpectralSurface& s, const std::vector<int>& images) {
     const Block own = s.functions.leftCols(k);
     return FunctionValues{
-        own, rowsAt(own, images), s.gram.topLeftCorner(k, k), s.laplacian.mass.cast<float>()};
+        own, own(images, Eigen::all), s.gram.topLeftCorner(k, k), s.laplacian.mass.cast<float>()};
   };
   return fitFunctionalMaps(values(a, maps.backward), values(b, maps.forward));
 }
@@ -50,7 +50,7 @@ FunctionalMaps fitSampledMaps(const Block& a,
                               const std::vector<int>& backward) {
   const auto values = [](const Block& own, const std::vector<int>& images) {
     return FunctionValues{
-        own, rowsAt(own, images), own.transpose() * own, Eigen::VectorXf::Ones(own.rows())};
+        own, own(images, Eigen::all), own.transpose() * own, Eigen::VectorXf::Ones(own.rows())};
   };
   return fitFunctionalMaps(values(a, backward), values(b, forward));
 }

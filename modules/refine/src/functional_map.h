@@ -9,15 +9,6 @@
 
 namespace posture {
 
-/// The rows of `m` with these numbers.
-template <class Derived>
-typename Derived::PlainObject rowsAt(const Eigen::MatrixBase<Derived>& m,
-                                     const std::vector<int>& rows) {
-  typename Derived::PlainObject picked(rows.size(), m.cols());
-  for (std::size_t i = 0; i < rows.size(); ++i) picked.row(i) = m.row(rows[i]);
-  return picked;
-}
-
 /// Functional maps (Ovsjanikov et al. 2012) of both directions.
 struct FunctionalMaps {
   Eigen::MatrixXf ab;  ///< k x k: functions of a times this are near those of b at the image

@@ -11,7 +11,6 @@
 #include "belief.h"
 #include "closest_pairs.h"
 #include "even_rotations.h"
-#include "functional_map.h"
 #include "grouped_nearest.h"
 #include "pose_features.h"
 #include <algorithm>
@@ -148,7 +147,7 @@ void pullRobustly(const BendableSurface& from,
                   const std::vector<int>& matches,
                   double softness,
                   Points& bent) {
-  const Points goals = rowsAt(to.mesh.vertices, matches);
+  const Points goals = to.mesh.vertices(matches, Eigen::all);
   const Vector distance = (goals - bent).rowwise().norm();
   const double usual =
       2 * std::max(median({distance.data(), distance.data() + distance.size()}), 1e-3);

@@ -42,7 +42,7 @@ double bendingEnergy(const SpectralSurface& from,
                      const Vector& believed,
                      int k,
                      double softness) {
-  const Points goals = rowsAt(to.mesh.vertices, matches);
+  const Points goals = to.mesh.vertices(matches, Eigen::all);
   const Arap::Attraction attraction = from.arap.attract(softness, believed);
   return from.arap.energy(
       from.arap.pull(lowPass(from, goals, k), goals, attraction, 2 * BENDING_STEPS));
@@ -154,9 +154,8 @@ MapScore score(const SpectralSurface& a,
 
   const int detail = basisSize(a, b, DETAIL_BASIS);
   const Vector curvature_a = meanCurvature(a, detail), curvature_b = meanCurvature(b, detail);
-  result.curvature =
-      1 - 0.5 * (correlation(curvature_a, rowsAt(curvature_b, maps.forward), mass_a) +
-                 correlation(curvature_b, rowsAt(curvature_a, maps.backward), mass_b));
+  result.curvature = 1 - 0.5 * (correlation(curvature_a, curvature_b(maps.forward), mass_a) +
+                                correlation(curvature_b, curvature_a(maps.backward), mass_b));
   result.distortion = 0.5 * (distanceChange(a, b, maps.forward, believed_a) +
                              distanceChange(b, a, maps.backward, believed_b));
   result.return_miss = 0.5 * (returnMiss(a, maps.forward, maps.backward, believed_a) +

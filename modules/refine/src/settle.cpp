@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include "belief.h"
-#include "functional_map.h"
 #include "pose_features.h"
 #include <algorithm>
 #include <array>
