@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/median.h>
 #include <posture/core/parallel.h>
-#include <posture/mesh/nearest_rotation.h>
 #include <posture/mesh/normals.h>
 #include <posture/refine/lay_over.h>
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 
 #include "belief.h"
 #include "closest_pairs.h"
@@ -102,8 +102,11 @@ Similarity bestSimilarity(const SurfacePlaces& a,
     spread_a += weight[i] * x.squaredNorm();
     spread_b += weight[i] * y.squaredNorm();
   }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moment, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Vector3d sign(1, 1, 1);
+  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) sign[2] = -1;
   Similarity way;
-  way.rotation = nearestRotation(moment);
+  way.rotation = svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
   way.scale = scaled && spread_a > 0 && spread_b > 0 ? std::sqrt(spread_b / spread_a) : scale;
   way.translation = mean_b - way.scale * mean_a * way.rotation.transpose();
   return way;
