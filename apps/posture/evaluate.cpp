@@ -4,6 +4,7 @@
 #include <posture/evaluation/truth.h>
 #include <posture/io/correspondence_io.h>
 #include <posture/io/shape_io.h>
+#include <posture/mesh/seams.h>
 #include <posture/report/table.h>
 
 #include "error_json.h"
@@ -43,7 +44,9 @@ auto ofTarget(const EvaluateOptions& options, const Make& make) {
 void checkMap(const EvaluateOptions& options, const Shape& target, std::vector<SurfacePoint> map) {
   if (target.faces.rows() == 0)
     for (SurfacePoint& place : map) place.face = -1;
-  checkOnTarget(options.map.string(), map, {target.cloud.points, target.faces});
+  TriangleMesh mesh{target.cloud.points, target.faces};
+  if (mesh.faces.rows() > 0) closeSeams(mesh);  // as when it was registered
+  checkOnTarget(options.map.string(), map, mesh);
 }
 
 Json measure(const EvaluateOptions& options) {

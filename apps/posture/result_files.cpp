@@ -61,7 +61,8 @@ bool isSegmentFile(const std::string& name) {
 void removeFrom(const fs::path& folder, const fs::path& name) {
   const fs::path path = folder / name;
   std::error_code error;
-  if (fs::is_regular_file(path, error)) fs::remove(path, error);
+  // What a link points to is written to, the link stays.
+  if (fs::is_regular_file(path, error) && !fs::is_symlink(path, error)) fs::remove(path, error);
 }
 
 using IsName = bool (*)(const std::string&);

@@ -158,7 +158,9 @@ Sheet drawSheet(const std::vector<MeshFile>& shapes, const SheetOptions& options
       const Image label = caption(view, CAPTION_SIZE - 2, layout.width - 16);
       paste(label, layout.left(file) + 8, bottom + layout.height - label.height - 8, sheet.image);
     }
-    if (!shows) throw InputError(options.files[i].string() + ": there is nothing to see");
+    // At one scale with others it may be too small to be seen.
+    if (!shows && !options.same_scale)
+      throw InputError(options.files[i].string() + ": there is nothing to see");
     pasteCaption(
         nameOf(i, options), layout.left(file), layout.captionBottom(file), layout, sheet.image);
   }

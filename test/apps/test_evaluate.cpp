@@ -103,6 +103,33 @@ TEST_F(Evaluate, WritesFiles) {
   EXPECT_THAT(text("histogram.svg"), HasSubstr("<svg"));
 }
 
+TEST_F(Evaluate, AFaceMayHaveAnotherCopyOfAVertexThatRoundingTookApart) {
+  // Two halves, the seam between them rounded: the vertex is of the one, the face of the other.
+  const TriangleMesh half = test::grid(COLUMNS / 2, ROWS, COLUMNS / 2.0, ROWS);
+  const auto n = half.vertices.rows(), m = half.faces.rows();
+  TriangleMesh both;
+  both.vertices.resize(2 * n, 3);
+  both.vertices << half.vertices,
+      half.vertices.rowwise() + Eigen::RowVector3d(COLUMNS / 2.0 + 1e-6, 0, 0);
+  both.faces.resize(2 * m, 3);
+  both.faces << half.faces, half.faces.array() + static_cast<int>(n);
+  writeMesh(folder_ / "torn.ply", both);
+  const int copy = both.faces(m, 0), vertex = copy - static_cast<int>(n) + COLUMNS / 2;
+  ASSERT_NEAR((both.vertices.row(copy) - both.vertices.row(vertex)).norm(), 1e-6, 1e-9);
+  Correspondence map;
+  map.on_target.resize(2 * n);
+  map.confidence = Vector::Zero(2 * n);
+  map.on_target[vertex] = {vertex, static_cast<int>(m), {1, 0, 0}};
+  writeCorrespondence(folder_ / "torn.csv", map);
+  const auto on = [&](int target) {
+    map.on_target[vertex].vertex = target;
+    writeCorrespondence(folder_ / "torn.csv", map);
+    return evaluate("torn.csv", {"--truth", "identity", "--target", folder_ / "torn.ply"});
+  };
+  EXPECT_EQ(on(vertex).exit_code, 0);
+  expectInputError(on(vertex - 1), "does not have the target vertex");
+}
+
 TEST_F(Evaluate, NothingMappedIsNoError) {
   writeMap("none.csv", COLUMNS + 1);
   const auto end = evaluate("none.csv", {"--truth", "identity", "-o", folder_ / "out"});

@@ -181,15 +181,23 @@ TEST_F(Segment, labelsThePointsOfACloud) {
 
 TEST(SegmentFails, whereItsResultsWouldTakeAnInputsPlace) {
   const TemporaryFolder folder;
-  const std::string rest = folder / "segments.ply", pose = folder / "pose-1_segments.ply";
+  const auto expectKept =
+      [&](const std::string& input, const std::string& ref, const std::string& pose) {
+        const std::string before = test::bytesOf(input);
+        const ProgramRun ended = test::run(POSTURE, {"segment", ref, pose, "-o", folder.path()});
+        EXPECT_EQ(ended.exit_code, 3);
+        EXPECT_TRUE(test::saidWhyInOneLine(ended)) << ended.out << ended.err;
+        EXPECT_THAT(ended.err, HasSubstr(input + ": would be written over"));
+        EXPECT_EQ(test::bytesOf(input), before);
+      };
+  const std::string rest = folder / "segments.ply", pose = folder / "pose-1_segments.ply",
+                    sound = folder / "body.ply";
+  writeMesh(sound, body(0).mesh);
   writeMesh(rest, body(0).mesh);
+  expectKept(rest, rest, sound);
+  fs::remove(rest);
   writeMesh(pose, body(2).mesh);
-  const std::string before = test::bytesOf(rest);
-  const ProgramRun ended = test::run(POSTURE, {"segment", rest, pose, "-o", folder.path()});
-  EXPECT_EQ(ended.exit_code, 3);
-  EXPECT_TRUE(test::saidWhyInOneLine(ended)) << ended.out << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("written over"));
-  EXPECT_EQ(test::bytesOf(rest), before);
+  expectKept(pose, sound, pose);
 }
 
 TEST(SegmentFails, onWrongUsageAndMissingFiles) {

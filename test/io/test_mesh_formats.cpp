@@ -220,6 +220,21 @@ TEST(Ply, normalsThatAreNoNumbersAreLeftOut) {
   EXPECT_EQ(file.normals.rows(), 0);
 }
 
+TEST(MeshFormats, zerosAndTheEndOfFileMarkOfDosMayStandBehindText) {
+  const TriangleMesh mesh = test::grid(1, 1, 1, 1);
+  int texts = 0;
+  for (const test::EncodedMesh& file : test::encodeEveryWay(mesh)) {
+    const std::string ending = file.name.substr(file.name.rfind('.'));
+    if (ending != ".off" && !(ending == ".ply" && file.name.rfind("ascii", 0) == 0)) continue;
+    ++texts;
+    SCOPED_TRACE(file.name);
+    for (const std::string& end :
+         {std::string(5, '\0'), std::string("\x1a"), std::string("\n\x1a\0", 3)})
+      EXPECT_EQ(parse(ending, file.bytes + end).mesh.faces, mesh.faces);
+  }
+  EXPECT_GE(texts, 2);
+}
+
 TEST(Ply, whatIsNoFaceMayStandBehindTheLast) {
   const TriangleMesh mesh = test::grid(1, 1, 1, 1);
   for (const test::EncodedMesh& file : test::encodeEveryWay(mesh)) {

@@ -57,6 +57,9 @@ TEST_F(RigidEnds, aHandThatIsMappedTurnedIsLaidWhereItFits) {
     EXPECT_TRUE(ends[0].turned) << angle;
     ASSERT_EQ(ends[0].places.size(), 5) << angle;
     EXPECT_LT(farthestMiss(other_, ends[0]), 2) << angle;
+    const Eigen::Vector3d tip = club_.mesh.vertices.row(tip_),
+                          there = other_.mesh.vertices.row(tip_);
+    EXPECT_LT((ends[0].motion * tip - there).norm(), 2 * meanEdgeLength(other_.mesh)) << angle;
   }
 }
 

@@ -91,6 +91,14 @@ TEST(PlaceColors, whatLiesFarOffChangesNoOther) {
   EXPECT_EQ(placeColors(with_outliers).topRows(body_alone.rows()), placeColors(body_alone));
 }
 
+TEST(PlaceColors, whatIsMostlyAtOnePlaceStillHasItsColors) {
+  Points points = Points::Zero(2000, 3);
+  points.topRows(10) = test::randomPoints(10, 1);
+  const Colors colors = placeColors(points);
+  EXPECT_GT(distance(colors, 0, 1), 0);
+  EXPECT_GT(distance(colors, 0, 11), 0);
+}
+
 TEST(TransferColors, byPlaceOnTheTarget) {
   const TriangleMesh target = test::grid(2, 1, 2, 1);
   Colors source(3, 3);

@@ -44,7 +44,7 @@ class OffReader {
     builder_.reserve(vertices, faces);
     for (std::size_t i = 0; i < vertices; ++i) readVertex(i, vertices);
     for (std::size_t i = 0; i < faces; ++i) readFace(i, faces);
-    if (text_.nextLine())
+    if (text_.nextLine() && !text_.atEnd())
       text_.fail("more than the " + std::to_string(vertices) + " vertices and " +
                  std::to_string(faces) + " faces that it says");
     return builder_.finish(integer_colors_ ? ColorRange::BYTE : ColorRange::UNIT);

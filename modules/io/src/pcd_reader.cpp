@@ -119,7 +119,7 @@ PointCloud readAscii(const Input& input, const PcdHeader& header, const PcdLayou
     if (!word.empty()) text.fail("a point with too many numbers");
     cloud.set(static_cast<Eigen::Index>(point), values);
   }
-  if (!text.word().empty())
+  if (!text.atEnd())
     text.fail("more than the " + std::to_string(header.points) + " points of its header");
   return cloud.take();
 }

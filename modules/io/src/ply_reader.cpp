@@ -22,7 +22,7 @@ class AsciiBody {
   static std::size_t smallest(Scalar) { return 2; }
   std::size_t place() const { return text_.offset(); }
   [[noreturn]] void fail(const std::string& what) const { text_.fail(what); }
-  bool hasMore(std::size_t) { return !text_.word().empty(); }
+  bool hasMore(std::size_t) { return !text_.atEnd(); }
 
  private:
   TextReader text_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_reader.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -54,6 +55,14 @@ std::string lowercase(std::string_view text) {
   for (char& c : small)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return small;
+}
+
+bool TextReader::atEnd() {
+  const std::string_view rest = word();
+  constexpr char DOS_END_OF_FILE = '\x1a';
+  return std::all_of(
+             rest.begin(), rest.end(), [](char c) { return c == '\0' || c == DOS_END_OF_FILE; }) &&
+         (rest.empty() || atEnd());
 }
 
 void TextReader::skipBlanks() {

@@ -28,6 +28,9 @@ class TextReader {
   std::string_view wordOnLine();
   /// Leaves this line and any blank ones after it; false at the end of the file.
   bool nextLine();
+  /// Whether nothing is left but blank lines, comments and what pads files: zeros, or the
+  /// end-of-file mark of DOS.
+  bool atEnd();
   /// The next `count` bytes as they are. \pre count <= remaining()
   std::string_view bytes(std::size_t count);
   /// Steps behind the end of this line, no further.

@@ -218,6 +218,8 @@ bool refitLimbEnd(
   }
   if (turned.misfit < CLEARLY_BETTER * best.misfit) best = std::move(turned);
   if (best.misfit >= FITS) {
+    // Chosen by how the end fits as a body, not among turns: it need not be clearly better than
+    // these.
     try {
       Lying fitting = laidAsItFits(a, b, tip, softness, end, pair);
       if (fitting < best) best = std::move(fitting);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -78,8 +79,9 @@ std::vector<int> withoutFarOnes(const Points& points, std::vector<int> rows) {
       return *nth;
     };
     const double first = at(0.01), last = at(0.99);
-    low(c) = first - (last - first);
-    high(c) = last + (last - first);
+    const double beyond = last > first ? last - first : std::numeric_limits<double>::infinity();
+    low(c) = first - beyond;
+    high(c) = last + beyond;
   }
   rows.erase(std::remove_if(rows.begin(),
                             rows.end(),
