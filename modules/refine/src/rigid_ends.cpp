@@ -70,6 +70,13 @@ std::vector<Look> lookAtEnds(const SpectralSurface& a,
   return looks;
 }
 
+std::vector<int> verticesOf(const LimbEnd& end) {
+  std::vector<int> vertices;
+  for (std::size_t i = 0; i < end.wide.size(); ++i)
+    if (end.inside[i]) vertices.push_back(end.wide[i]);
+  return vertices;
+}
+
 /// Vertices spread over an end, the one nearest to the tip first, and what they lie next to.
 std::vector<PlacePair> placesOn(const SpectralSurface& a,
                                 const LimbEnd& end,
@@ -113,8 +120,8 @@ std::vector<RigidEnd> rigidEnds(const SpectralSurface& a,
   for (const Look& look : lookAtEnds(a, b, tips, maps, false)) {
     if (!look.fit.fitsInOneWay()) continue;
     RigidEnd end;
-    for (std::size_t i = 0; i < look.a.wide.size(); ++i)
-      if (look.a.inside[i]) end.vertices.push_back(look.a.wide[i]);
+    end.vertices = verticesOf(look.a);
+    end.of_b = verticesOf(look.b);
     end.places = placesOn(a, look.a, look.b, look.fit.tip, look.best);
     end.motion = look.best.motion;
     end.turned = angleBetween(look.best, look.mapped) > SAME_TURN;

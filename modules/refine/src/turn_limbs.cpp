@@ -131,14 +131,6 @@ Eigen::Isometry3d moveTo(const Eigen::Isometry3d& motion,
   return rigidMotion(bent(vertices, Eigen::all), laid);
 }
 
-std::vector<int> within(const SpectralSurface& surface, int tip, double reach) {
-  const std::vector<double>& distance = surface.distances.from(tip);
-  std::vector<int> vertices;
-  for (std::size_t v = 0; v < distance.size(); ++v)
-    if (distance[v] <= reach) vertices.push_back(static_cast<int>(v));
-  return vertices;
-}
-
 /// With the end laid as it fits as a rigid body, where it does so in one way only and lies turned:
 /// a head, about whatever axis. The neck takes up what that moves it by.
 Lying laidAsItFits(const SpectralSurface& a,
@@ -151,15 +143,13 @@ Lying laidAsItFits(const SpectralSurface& a,
   const std::vector<RigidEnd> fitting = rigidEnds(a, b, {tip}, pair.maps);
   if (fitting.empty() || !fitting.front().turned) return lying;
   const RigidEnd& rigid = fitting.front();
-  const int tip_b = pair.maps.forward[tip];
   EndMove move;
   for (int v : rigid.vertices) move.end = std::max(move.end, a.distances.from(tip)[v]);
   move.body = move.end + NECK;
   const LimbPair limb(a, b, tip, move.body + BESIDE_NECK, softness, pair);
   if (!limb.isLimb()) return lying;
   move.of_a = moveTo(rigid.motion, a.mesh.vertices, pair.bent_a, rigid.vertices);
-  move.of_b =
-      moveTo(rigid.motion.inverse(), b.mesh.vertices, pair.bent_b, within(b, tip_b, move.end));
+  move.of_b = moveTo(rigid.motion.inverse(), b.mesh.vertices, pair.bent_b, rigid.of_b);
   lying.whole = pair;
   limb.putInto(limb.annealed(move), lying.whole);
   const double misfit = end.misfit(lying.whole);

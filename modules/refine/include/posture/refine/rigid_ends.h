@@ -19,6 +19,7 @@ struct PlacePair {
 /// ears and nose, not a paw, which fits turned nearly as well.
 struct RigidEnd {
   std::vector<int> vertices;      ///< of a
+  std::vector<int> of_b;          ///< vertices of the end of b that the map takes it to
   std::vector<PlacePair> places;  ///< spread over what of it has a partner
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();  ///< lays it on that of b
   bool turned = false;  ///< by more than 30 degrees against how the map lays it
