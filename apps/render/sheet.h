@@ -35,7 +35,8 @@ void checkSize(const SheetOptions& options);
 /// One column a file, one row a view, the files' names below.
 /// \param shapes  the contents of the files, in their order.
 /// \throws InputError  there is nothing to draw with; a file is too large or too small to compute
-///         with, or all its tiles would be blank.
+///         with, or, unless all are at one
+///         scale, all its tiles would be blank.
 Sheet drawSheet(const std::vector<MeshFile>& shapes, const SheetOptions& options);
 
 }  // namespace posture::render

@@ -102,6 +102,7 @@ Similarity bestSimilarity(const SurfacePlaces& a,
     spread_a += weight[i] * x.squaredNorm();
     spread_b += weight[i] * y.squaredNorm();
   }
+  // As nearestRotation(), whose last bits differ here: what is laid hangs on them in close cases.
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moment, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Vector3d sign(1, 1, 1);
   if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) sign[2] = -1;
