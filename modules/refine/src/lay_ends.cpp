@@ -32,11 +32,19 @@ constexpr double NORMAL_LENGTH = 0.05;
 /// Of the distances the largest fifth does not count: what lies at the cut.
 constexpr double TRIMMED = 0.8;
 
-constexpr int TURNS = 72, MOST_STEPS = 20;
+constexpr int TURNS = 72;
 
-/// From all sides an end is laid by so many vertices of it and of what is around it; so many ways
-/// are then gone on with by all vertices.
-constexpr std::size_t ROUGH = 250, MOST_WAYS = 8;
+/// From all sides an end is laid by so many vertices of it and of what is around it.
+constexpr std::size_t ROUGH = 250;
+
+/// The ways that are gone on with: all for a few steps, the better third for some more, the best by
+/// all vertices until they are at rest.
+struct Round {
+  int steps;
+  std::size_t ways_left;
+  double apart;  ///< turns by which those left differ at least
+};
+constexpr Round FIRST{4, 24, M_PI / 18}, SECOND{8, 8, SAME_TURN}, LAST{20, 8, SAME_TURN};
 
 /// A step that changes the misfit by less is the last.
 constexpr double AT_REST = 1e-3;
@@ -101,7 +109,7 @@ std::vector<ClosestPair> pairsOf(const LimbEnd& a,
   return pairs;
 }
 
-void layCloser(const LimbEnd& a, const LimbEnd& b, LaidEnd& laid) {
+void layCloser(const LimbEnd& a, const LimbEnd& b, int steps, LaidEnd& laid) {
   const auto meanOf = [](const std::vector<ClosestPair>& pairs) {
     double sum = 0;
     for (const ClosestPair& pair : pairs) sum += pair.squared;
@@ -110,7 +118,7 @@ void layCloser(const LimbEnd& a, const LimbEnd& b, LaidEnd& laid) {
   laid.pairs = pairsOf(a, b, laid.motion);
   if (laid.pairs.empty()) return;
   laid.misfit = meanOf(laid.pairs);
-  for (int step = 0; step < MOST_STEPS; ++step) {
+  for (int step = 0; step < steps; ++step) {
     Points from(laid.pairs.size(), 3), to(laid.pairs.size(), 3);
     for (std::size_t i = 0; i < laid.pairs.size(); ++i) {
       from.row(i) = a.places.row(laid.pairs[i].a);
@@ -121,6 +129,19 @@ void layCloser(const LimbEnd& a, const LimbEnd& b, LaidEnd& laid) {
     const double before = std::exchange(laid.misfit, meanOf(laid.pairs));
     if (std::abs(laid.misfit - before) < AT_REST * before) break;
   }
+}
+
+void goOn(const LimbEnd& a, const LimbEnd& b, const Round& round, std::vector<LaidEnd>& ways) {
+  parallelFor(static_cast<int>(ways.size()), [&](int i) { layCloser(a, b, round.steps, ways[i]); });
+  std::stable_sort(ways.begin(), ways.end());
+  std::vector<LaidEnd> left;
+  for (LaidEnd& way : ways)
+    if (left.size() < round.ways_left &&
+        std::none_of(left.begin(), left.end(), [&](const LaidEnd& better) {
+          return angleBetween(better, way) <= round.apart;
+        }))
+      left.push_back(std::move(way));
+  ways = std::move(left);
 }
 
 Eigen::RowVector3d middleOf(const LimbEnd& end) {
@@ -183,30 +204,16 @@ std::vector<LaidEnd> waysToLay(const LimbEnd& a, const LimbEnd& b, const LaidEnd
   const std::vector<Eigen::Matrix3d> turns = evenRotations(TURNS);
   const Eigen::Vector3d middle_a = middleOf(a), middle_b = middleOf(b);
   std::vector<LaidEnd> ways(1 + turns.size());
-  parallelFor(static_cast<int>(ways.size()), [&](int i) {
-    LaidEnd& way = ways[i];
-    if (i == 0) {
-      way.motion = mapped.motion;
-    } else {
-      way.motion.linear() = turns[i - 1] * mapped.motion.linear();
-      way.motion.translation() = middle_b - way.motion.linear() * middle_a;
-    }
-    layCloser(rough_a, rough_b, way);
-  });
-  const auto leaveDifferent = [&] {
-    std::stable_sort(ways.begin(), ways.end());
-    std::vector<LaidEnd> different;
-    for (LaidEnd& way : ways)
-      if (different.size() < MOST_WAYS &&
-          std::none_of(different.begin(), different.end(), [&](const LaidEnd& better) {
-            return angleBetween(better, way) <= SAME_TURN;
-          }))
-        different.push_back(std::move(way));
-    ways = std::move(different);
-  };
-  leaveDifferent();
-  parallelFor(static_cast<int>(ways.size()), [&](int i) { layCloser(a, b, ways[i]); });
-  leaveDifferent();
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    Eigen::Isometry3d& motion = ways[i].motion;
+    motion = mapped.motion;
+    if (i == 0) continue;
+    motion.linear() = turns[i - 1] * mapped.motion.linear();
+    motion.translation() = middle_b - motion.linear() * middle_a;
+  }
+  goOn(rough_a, rough_b, FIRST, ways);
+  goOn(rough_a, rough_b, SECOND, ways);
+  goOn(a, b, LAST, ways);
   return ways;
 }
 
