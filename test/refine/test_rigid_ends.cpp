@@ -9,10 +9,13 @@
 #include "refine/club.h"
 #include "refine/poses.h"
 #include "support/shapes.h"
+#include "support/unit_area.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace posture {
@@ -98,21 +101,40 @@ TEST_F(RigidEnds, whatIsInOneEndIsNotLookedAtAgain) {
   EXPECT_EQ(rigidEnds(club_, other_, {tip_, beside}, woundBy(0)).size(), 1);
 }
 
-TEST(RightHand, fitsItsLikeBetterThanALeftOne) {
-  const SpectralSurface hand = test::spectralSurface(test::clubWithHand(4, 5), 10),
-                        like = test::spectralSurface(test::clubWithHand(3.5, 5), 10);
-  TriangleMesh mirrored = like.mesh;
-  mirrored.vertices.col(2) *= -1;
-  mirrored.faces.col(1).swap(mirrored.faces.col(2));
-  const SpectralSurface unlike = test::spectralSurface(mirrored, 10);
-  const auto fitOn = [&](const SpectralSurface& other) {
-    return fitEnds(hand,
-                   other,
-                   {test::tipOf(hand.mesh)},
-                   {test::nearestOf(hand.mesh.vertices, other.mesh),
-                    test::nearestOf(other.mesh.vertices, hand.mesh)});
-  };
-  const std::vector<EndFit> right = fitOn(like), left = fitOn(unlike);
+class RightHand : public testing::Test {
+ protected:
+  /// With a palm that is twice as hollow: what tells a right one from a left one.
+  static TriangleMesh withPalm(double thumb) {
+    TriangleMesh mesh = test::clubWithHand(thumb, 5);
+    mesh.vertices.col(2) *= 2;
+    return test::unitArea(std::move(mesh));
+  }
+  static SpectralSurface mirrored(TriangleMesh mesh) {
+    mesh.vertices.col(2) *= -1;
+    mesh.faces.col(1).swap(mesh.faces.col(2));
+    return test::spectralSurface(mesh, 10);
+  }
+  VertexMaps onto(const SpectralSurface& other) const {
+    return {test::nearestOf(hand_.mesh.vertices, other.mesh),
+            test::nearestOf(other.mesh.vertices, hand_.mesh)};
+  }
+  std::vector<EndFit> fitOn(const SpectralSurface& other) const {
+    return fitEnds(hand_, other, {test::tipOf(hand_.mesh)}, onto(other));
+  }
+  /// \param tips_of_other  whether the end is looked at from the other side, too.
+  HandVote voteOn(const SpectralSurface& other, bool tips_of_other) const {
+    std::vector<int> tips;
+    if (tips_of_other) tips.push_back(test::tipOf(other.mesh));
+    return handVote(hand_, other, {test::tipOf(hand_.mesh)}, tips, onto(other));
+  }
+
+  const SpectralSurface hand_ = test::spectralSurface(withPalm(4), 10),
+                        like_ = test::spectralSurface(withPalm(3.5), 10),
+                        unlike_ = mirrored(withPalm(3.5));
+};
+
+TEST_F(RightHand, fitsItsLikeBetterThanALeftOne) {
+  const std::vector<EndFit> right = fitOn(like_), left = fitOn(unlike_);
   ASSERT_EQ(right.size(), 1);
   ASSERT_EQ(left.size(), 1);
   EXPECT_TRUE(right[0].fitsInOneWay());
@@ -120,6 +142,26 @@ TEST(RightHand, fitsItsLikeBetterThanALeftOne) {
   const std::vector<double> against = endDisagreements({right, left});
   EXPECT_EQ(against[0], 0);
   EXPECT_GT(against[1], 0);
+}
+
+TEST_F(RightHand, speaksForAMapToARightOneAndAgainstOneToALeftOneOnce) {
+  for (bool both_ways : {false, true}) {
+    const HandVote right = voteOn(like_, both_ways), left = voteOn(unlike_, both_ways);
+    EXPECT_EQ(right.for_it, 1);
+    EXPECT_EQ(right.against_it, 0);
+    EXPECT_EQ(left.for_it, 0);
+    EXPECT_EQ(left.against_it, 1);
+  }
+}
+
+TEST_F(RigidEnds, anEndThatIsItsOwnMirrorImageSpeaksNeitherWay) {
+  // Without the thumb.
+  const SpectralSurface paddle = test::spectralSurface(test::clubWithHand(0), 10);
+  std::vector<int> same(paddle.mesh.vertices.rows());
+  std::iota(same.begin(), same.end(), 0);
+  const HandVote vote = handVote(paddle, paddle, {test::tipOf(paddle.mesh)}, {}, {same, same});
+  EXPECT_EQ(vote.for_it, 0);
+  EXPECT_EQ(vote.against_it, 0);
 }
 
 TEST_F(RigidEnds, anEndThatIsNotAllThereDoesNotTell) {

@@ -8,7 +8,7 @@
 #include <posture/refine/turn_limbs.h>
 
 #include "by_score.h"
-#include "ends_of_maps.h"
+#include "judge_by_ends.h"
 #include "work_surfaces.h"
 #include <algorithm>
 #include <stdexcept>
@@ -130,6 +130,17 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   return fitsBetter(turned) ? turned : map;
 }
 
+/// Changes a map; where a surface is too torn to be bent on, the map stays as it is.
+template <class Change>
+void changeUnlessTorn(RefinedMap& map, const Change& change) {
+  try {
+    RefinedMap changed = map;
+    change(changed);
+    map = std::move(changed);
+  } catch (const std::runtime_error&) {
+  }
+}
+
 /// Lets go of what a map squeezes so badly that its score says nothing of the rest: a hand that the
 /// other side lacks, drawn over the whole arm. Maps that take stumps to stumps have no such place,
 /// right or wrong. What settling alone gains does not count.
@@ -201,13 +212,11 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
     map.score = finalists[map.finalist]->bent ? scoreBent(work, target_work, map.pair, map.laid)
                                               : scoreMaps(work, target_work, map.pair.maps);
     if (!may_lack || map.laid) return;
-    try {
-      letGoOfWhatIsSqueezed(work, target_work, softness, map);
-    } catch (const std::runtime_error&) {  // too torn to be bent on: it stays as it is
-    }
+    changeUnlessTorn(
+        map, [&](RefinedMap& loose) { letGoOfWhatIsSqueezed(work, target_work, softness, loose); });
   });
   sortByScore(refined);
-  judgeByEnds(source, target, surfaces, refined);
+  judgeByEnds(source, target, surfaces, may_lack, refined);
   return refined;
 }
 
@@ -219,19 +228,20 @@ void annealMap(const RefinedShape& source,
   const MapScore judged = map.score;
   const RefinedShape scaled = rescaled(source, map.scale);
   const SpectralSurface source_work = scaled.workSurface(), target_work = target.workSurface();
-  if (map.pair.apart_a.empty() && map.pair.apart_b.empty())
-    map = withLimbsTurned(scaled, target, source_work, target_work, map);
-  annealWithEndsRefitted(scaled, source_work, target_work, map.pair);
-  const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
+  changeUnlessTorn(map, [&](RefinedMap& turned) {
+    if (map.pair.apart_a.empty() && map.pair.apart_b.empty())
+      turned = withLimbsTurned(scaled, target, source_work, target_work, map);
+  });
+  changeUnlessTorn(map, [&](RefinedMap& annealed) {
+    annealWithEndsRefitted(scaled, source_work, target_work, annealed.pair);
+  });
+  if (may_lack)
+    changeUnlessTorn(map, [&](RefinedMap& less) {
+      const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
+      if (letGo(source_work, target_work, softness, LEAST_OF_LETTING_GO, less.pair))
+        anneal(source_work, target_work, softness, less.pair);
+    });
   map.score = judged;
-  if (!may_lack) return;
-  try {
-    BentPair less = map.pair;
-    if (!letGo(source_work, target_work, softness, LEAST_OF_LETTING_GO, less)) return;
-    anneal(source_work, target_work, softness, less);
-    map.pair = std::move(less);
-  } catch (const std::runtime_error&) {  // too torn to be bent on: it stays as it is
-  }
 }
 
 }  // namespace posture

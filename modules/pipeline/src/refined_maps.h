@@ -21,9 +21,14 @@ struct RefinedMap {
   /// By how much worse ends of limbs fit than under the map, of those it was compared with, under
   /// which they fit best (endDisagreements()): says nothing of maps it was not compared with.
   double ends = 0;
+  /// What it pays for hands that it takes to the other one; 0 where it was not looked at.
+  double hands = 0;
+
+  /// What it is known for right by. Lower is better.
+  double likeness() const { return score.total() + hands; }
 
   /// What maps that were refined together are compared by. Lower is better.
-  double judged() const { return score.total() + ends; }
+  double judged() const { return likeness() + ends; }
 };
 
 /// Takes finalists to the work meshes, settled there, and compares them; the best first.

@@ -44,7 +44,7 @@ struct Round {
   std::size_t ways_left;
   double apart;  ///< turns by which those left differ at least
 };
-constexpr Round FIRST{4, 24, M_PI / 18}, SECOND{8, 8, SAME_TURN}, LAST{20, 8, SAME_TURN};
+constexpr Round FIRST{4, 24, M_PI / 18}, SECOND{8, 5, SAME_TURN}, LAST{60, 5, SAME_TURN};
 
 /// A step that changes the misfit by less is the last.
 constexpr double AT_REST = 1e-3;
@@ -180,6 +180,12 @@ LimbEnd endAt(const SpectralSurface& surface, const Vector& remote, int tip) {
 
 bool isWhole(const LimbEnd& end) {
   return static_cast<double>(end.on_rim) <= MOST_ON_RIM * static_cast<double>(end.size);
+}
+
+LimbEnd mirrorImage(LimbEnd end) {
+  end.places.col(0) *= -1;
+  end.normals.col(0) *= -1;
+  return end;
 }
 
 double angleBetween(const LaidEnd& x, const LaidEnd& y) {

@@ -36,6 +36,9 @@ LimbEnd endAt(const SpectralSurface& surface, const Vector& remote, int tip);
 /// Whether all of an end was seen, but for a face or two.
 bool isWhole(const LimbEnd& end);
 
+/// Its mirror image: the left hand of a right one.
+LimbEnd mirrorImage(LimbEnd end);
+
 /// An end laid on another one.
 struct LaidEnd {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();

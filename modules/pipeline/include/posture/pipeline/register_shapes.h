@@ -134,7 +134,8 @@ inline const Points& registeredPoints(const Shape& given, const Points& denoised
 
 /// Finds the dense correspondence of two meshes.
 /// \throws InputError  one of the meshes has no surface to work on; the message begins with its
-/// side, "source" or "target"; std::invalid_argument  as requireMesh().
+/// side, "source" or "target"; std::invalid_argument  as requireMesh(); std::runtime_error  it is
+/// so torn that it cannot be bent.
 RegistrationResult registerShapes(const TriangleMesh& source,
                                   const TriangleMesh& target,
                                   const RegistrationOptions& options = {},

@@ -57,6 +57,23 @@ std::vector<EndFit> fitEnds(const SpectralSurface& a,
                             const std::vector<int>& tips,
                             const VertexMaps& maps);
 
+/// Ends of limbs that a map takes to their like, and to the mirror images of these.
+struct HandVote {
+  int for_it = 0, against_it = 0;
+};
+
+/// Whether a map takes right hands and feet to right ones. An end tells where it, or its mirror
+/// image, fits clearly better where the map takes it, and in one way only: most heads, which are
+/// their own mirror images, and paws do not. What a map that is half-turned, front on back and left
+/// on right, cannot hide: it keeps the outside out, and hardly bends a body more than the right
+/// one. \param tips_a, tips_b  ends of limbs of either; what was looked at from a is not from b
+/// again. \pre  as for rigidEnds().
+HandVote handVote(const SpectralSurface& a,
+                  const SpectralSurface& b,
+                  const std::vector<int>& tips_a,
+                  const std::vector<int>& tips_b,
+                  const VertexMaps& maps);
+
 /// How much worse ends fit under each of several maps: summed over the ends that fit in one way
 /// only under one of the maps, the logarithm of the misfit over that of the map under which they do
 /// so best, each between 0 and ln 2. A left hand does not fit a right one. What does not tell under

@@ -12,10 +12,13 @@ namespace posture {
 /// (RefinedMap::ends), and sorts them by both: a body that is half turned has each hand on the
 /// other one. A map that let go of an end which fits under another one pays for it. Maps of one
 /// answer are judged by its best.
+/// \param may_lack  whether a side may lack a part that the other one has: hands then tell of each
+///                  answer by itself, too (RefinedMap::hands), as the right one may not be there.
 /// \param maps  by increasing score; the best first.
 void judgeByEnds(const RefinedShape& source,
                  const RefinedShape& target,
                  const WorkSurfaces& surfaces,
+                 bool may_lack,
                  std::vector<RefinedMap>& maps);
 
 }  // namespace posture
