@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <limits>
 #include <omp.h>
+#include <stdexcept>
 
 namespace posture {
 namespace {
@@ -54,6 +55,30 @@ TriangleMesh gridWithLoosePart(double height) {
   mesh.faces.conservativeResize(201, 3);
   mesh.faces.row(200) << 121, 122, 123;
   return mesh;
+}
+
+TEST(TargetMetric, MeasuresAcrossASeamThatRoundingOpened) {
+  const TriangleMesh half = test::grid(10, 10, 10, 10);
+  const auto n = half.vertices.rows();
+  TriangleMesh both;
+  both.vertices.resize(2 * n, 3);
+  both.vertices << half.vertices, half.vertices.rowwise() + Eigen::RowVector3d(10 + 1e-6, 0, 0);
+  both.faces.resize(2 * half.faces.rows(), 3);
+  both.faces << half.faces, half.faces.array() + static_cast<int>(n);
+  const TargetMetric metric(both);
+  Eigen::Index left = 0, right = 0;
+  (half.vertices.col(0) + half.vertices.col(1)).minCoeff(&left);
+  (half.vertices.col(0) - half.vertices.col(1)).maxCoeff(&right);
+  // From one lower corner to the other one.
+  const Route across = toVertex(static_cast<int>(left), static_cast<int>(n + right));
+  EXPECT_NEAR(metric.geodesics({across}).length[0], 20, 1e-3);
+  EXPECT_EQ(metric.edgeCounts({across})[0], 20);
+}
+
+TEST(TargetMetric, RefusesAFaceOfNoVertex) {
+  TriangleMesh mesh = test::grid(2, 2, 2, 2);
+  mesh.faces(0, 0) = 1000;
+  EXPECT_THROW(TargetMetric{mesh}, std::invalid_argument);
 }
 
 TEST(TargetMetric, MeasuresThePlane) {

@@ -3,9 +3,9 @@
 #include <posture/core/error.h>
 #include <posture/core/parallel.h>
 #include <posture/evaluation/target_metric.h>
+#include <posture/mesh/denoise.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/position_of.h>
-#include <posture/mesh/spikes.h>
 
 #include <algorithm>
 #include <numeric>
@@ -57,7 +57,10 @@ void parallelBlocks(std::size_t count, const Body& body) {
   });
 }
 
-TriangleMesh withoutSpikes(TriangleMesh mesh) {
+/// As denoise(), but for noise: it is measured on.
+TriangleMesh withoutDefects(TriangleMesh mesh) {
+  requireMesh(mesh);
+  closeSeams(mesh);
   setSpikesBack(mesh);
   return mesh;
 }
@@ -65,7 +68,7 @@ TriangleMesh withoutSpikes(TriangleMesh mesh) {
 }  // namespace
 
 TargetMetric::TargetMetric(TriangleMesh target)
-    : target_(withoutSpikes(std::move(target))),
+    : target_(withoutDefects(std::move(target))),
       surface_(cleanMesh(target_)),
       marching_(surface_.mesh),
       neighbors_(surface_.mesh.faces, static_cast<int>(surface_.mesh.vertices.rows())),

@@ -24,12 +24,12 @@ struct RouteLengths {
   std::int64_t settled_vertices = 0;  ///< by all fronts together: what the measuring cost
 };
 
-/// Distances on a target mesh as it was given but for spikes, which are set back, loose parts
-/// included: they are taken along the main surface, and a vertex off it is its offset away from the
-/// surface vertex it follows.
+/// Distances on a target mesh as it was given, loose parts included, but for seams, which are
+/// closed, and spikes, which are set back, as when it is registered: they are taken along the main
+/// surface, and a vertex off it is its offset away from the surface vertex it follows.
 class TargetMetric {
  public:
-  /// \throws InputError  the mesh has no usable face.
+  /// \throws InputError  the mesh has no usable face; std::invalid_argument  as requireMesh().
   explicit TargetMetric(TriangleMesh target);
 
   int vertexCount() const { return static_cast<int>(target_.vertices.rows()); }
