@@ -81,8 +81,9 @@ ChildEnd runSelf(const std::vector<std::string>& arguments,
   const Log log = makeLog();
   const pid_t child = spawnSelf(arguments, log.get());
   int status = 0;
+  pid_t ended = 0;
   bool timed_out = false;
-  for (auto next_call = start; waitpid(child, &status, WNOHANG) == 0;) {
+  for (auto next_call = start; (ended = waitpid(child, &status, WNOHANG)) == 0;) {
     if (Clock::now() - start > time_limit) {
       timed_out = true;
       kill(child, SIGKILL);
@@ -96,9 +97,11 @@ ChildEnd runSelf(const std::vector<std::string>& arguments,
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   ChildEnd end;
-  end.succeeded = !timed_out && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  end.succeeded = !timed_out && ended == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
   if (timed_out)
     end.reason = "took longer than " + formatShort(time_limit.count()) + " s";
+  else if (ended < 0)
+    end.reason = std::string("how it ended is not known (") + std::strerror(errno) + ")";
   else if (!end.succeeded)
     end.reason = describe(status, lastLine(log.get()));
   return end;

@@ -47,7 +47,8 @@ void nearestBothWays(const Eigen::Ref<const Eigen::MatrixXf>& a,
       distance = half_a - products.col(j);
       const float* const nearest =
           std::find(distance.data(), distance.data() + na, distance.minCoeff());
-      backward[row_b] = static_cast<int>(nearest - distance.data());
+      // What is no number is found nowhere.
+      backward[row_b] = static_cast<int>(std::min(nearest - distance.data(), na - 1));
       keepLess(products.col(j).data(), half_b[row_b], row_b, best_a, forward);
     }
   }

@@ -74,7 +74,8 @@ MeanValueResidual meanValueResidual(const MeanValueEncoding& encoding,
 ///
 /// Three vertices out of line determine a shape up to what the encoding does not see: a flat part
 /// can be sheared and stretched in its plane.
-/// \param fixed  vertices, none twice. \param places  one row each.
+/// \param fixed  vertices, none twice.
+/// \param places  one row each.
 /// \param start  n x 3, to start from instead; empty: none.
 /// \throws std::invalid_argument  a connected part with fewer than three fixed vertices, or all in
 ///         one line.

@@ -45,9 +45,11 @@ bool turnLimb(const SpectralSurface& a,
 /// Lays the limb at `tip` anew where its end, a hand, a foot or a head, does not fit: as it is,
 /// with the end turned by quarters of a turn, and as it fits as a rigid body if it does so in one
 /// way only (rigidEnds()). The end alone is judged: what the limb below is then wound by is gone
-/// only when all has settled for long. \param tip  a vertex of a, the end of a limb. \param
-/// softness  as for anneal(). \param pair  annealed but for the ends of other limbs, in a unit of
-/// about the square roots of
+/// only when all has settled for long.
+///
+/// \param tip  a vertex of a, the end of a limb.
+/// \param softness  as for anneal().
+/// \param pair  annealed but for the ends of other limbs, in a unit of about the square roots of
 ///              the areas; to be annealed again afterwards.
 /// \return  whether the end now fits clearly better; otherwise `pair` is as it was.
 bool refitLimbEnd(
