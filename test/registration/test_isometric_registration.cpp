@@ -20,7 +20,10 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <stdexcept>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -45,6 +48,7 @@ struct Registered {
   int calls = 0;
   bool watching = false;
   std::string printed;
+  std::vector<double> progress;
 
   Registered() {
     source->header.frame_id = "camera";
@@ -59,6 +63,9 @@ struct Registered {
           ++calls;
         };
     registration.registerVisualizationCallback(callback);
+    registration.setObserver([this](const StageEvent& event) {
+      if (watching) progress.push_back(event.progress);
+    });
     watching = true;  // the base calls it when it is registered
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
@@ -138,6 +145,31 @@ TEST(IsometricRegistration, resultHasTheSameInDoublePrecision) {
     ASSERT_EQ(r.output[i].getVector3fMap(), places.row(i).transpose().cast<float>());
   EXPECT_EQ(r.registration.getMessage(), r.registration.getResult().message);
   EXPECT_THAT(r.registration.getMessage(), HasSubstr("counterpart"));
+}
+
+TEST(IsometricRegistration, observerIsToldOfTheProgress) {
+  const std::vector<double>& progress = registered().progress;
+  ASSERT_GT(progress.size(), 10);
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_GE(progress.front(), 0);
+  EXPECT_GT(progress.back(), 0.5);
+  EXPECT_LE(progress.back(), 1);
+}
+
+TEST(IsometricRegistration, whatAnObserverThrowsLeavesAlignWithoutAnAnswer) {
+  struct Cancelled : std::runtime_error {
+    using std::runtime_error::runtime_error;
+  };
+  Registration registration = copyOfRegistered();
+  ASSERT_TRUE(registration.hasConverged());
+  registration.setObserver([](const StageEvent& event) {
+    if (event.stage == "spectrum") throw Cancelled("enough");
+  });
+  Cloud output;
+  EXPECT_THROW(registration.align(output), Cancelled);
+  EXPECT_FALSE(registration.hasConverged());
+  EXPECT_TRUE(registration.getCorrespondences()->empty());
+  EXPECT_THAT(registration.getMessage(), HasSubstr("observer"));
 }
 
 TEST(IsometricRegistration, printsNothing) { EXPECT_EQ(registered().printed, ""); }

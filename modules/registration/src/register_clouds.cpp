@@ -155,10 +155,11 @@ Eigen::Isometry3d bestRigidMotion(const Points& source,
 
 RegisteredClouds registered(const CloudSide& source,
                             const CloudSide& target,
-                            const RegistrationOptions& options) {
+                            const RegistrationOptions& options,
+                            const Observer& observer) {
   const Part from = partOf("source", source), to = partOf("target", target);
   RegisteredClouds clouds;
-  clouds.result = registerShapes(from.shape, to.shape, options);
+  clouds.result = registerShapes(from.shape, to.shape, options, observer);
   RegistrationResult& result = clouds.result;
   clouds.T_target_source = bestRigidMotion(registeredPoints(from.shape, result.source_denoised),
                                            registeredPoints(to.shape, result.target_denoised),
@@ -174,10 +175,21 @@ RegisteredClouds registered(const CloudSide& source,
 
 RegisteredClouds registerClouds(const CloudSide& source,
                                 const CloudSide& target,
-                                const RegistrationOptions& options) {
+                                const RegistrationOptions& options,
+                                const Observer& observer) {
+  bool observer_threw = false;
+  const Observer guarded = [&](const StageEvent& event) {
+    try {
+      observer(event);
+    } catch (...) {
+      observer_threw = true;
+      throw;
+    }
+  };
   try {
-    return registered(source, target, options);
+    return registered(source, target, options, observer ? guarded : Observer());
   } catch (const std::exception& error) {
+    if (observer_threw) throw;
     RegisteredClouds none;
     none.result.message = error.what();
     return none;

@@ -10,6 +10,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace posture {
@@ -61,6 +62,9 @@ class IsometricCorrespondenceEstimation
 
   void setOptions(const RegistrationOptions& options);
 
+  /// As IsometricRegistration::setObserver(), of the call that registers.
+  void setObserver(Observer observer) { observer_ = std::move(observer); }
+
   /// One for each source point used that has a counterpart, in their order. index_query and
   /// index_match are numbers in the input and in the target cloud, `distance` the squared distance
   /// between them as the clouds lie.
@@ -96,6 +100,7 @@ class IsometricCorrespondenceEstimation
   std::vector<pcl::Vertices> source_polygons_, target_polygons_;
   Points source_normals_, target_normals_;
   RegistrationOptions options_;
+  Observer observer_;
   bool changed_ = true;
   pcl::Indices used_;  ///< those of the last registration
   RegisteredClouds clouds_;

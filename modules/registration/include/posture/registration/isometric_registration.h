@@ -12,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace posture {
@@ -37,11 +38,12 @@ namespace posture {
 ///  - hasConverged(): the data decide, Status::REGISTERED; if not, getMessage() says why. Where
 ///    they do not decide, the best guess is in `output` and behind all accessors nevertheless;
 ///    where they cannot be used at all, `output` is the source as it was and
-///    getCorrespondences() is empty. Data never make align() throw.
+///    getCorrespondences() is empty. Data never make align() throw; an observer may.
 ///  - getFinalTransformation(): rotation and translation, always of determinant 1, of least squares
-///    over getCorrespondences(), as pcl::registration::TransformationEstimationSVD finds them. A
-///    body that bends does not follow it. It has no scale, so that its rotation can be read off:
-///    getResult().scale has that, and TransformationEstimationSVDScale makes the matrix with it.
+///    over getCorrespondences(), as pcl::registration::TransformationEstimationSVD finds them, of
+///    meshes that were denoised between the denoised points. A body that bends does not follow it.
+///    It has no scale, so that its rotation can be read off: getResult().scale has that, and
+///    TransformationEstimationSVDScale makes the matrix with it.
 ///  - getFitnessScore(): of the deformed points. Called through a reference to the base, where it
 ///    is another function, it judges the source moved by getFinalTransformation() alone, which
 ///    says little about a body that bends.
@@ -52,7 +54,10 @@ namespace posture {
 /// Copies share the input clouds, which are const, search methods that were set with
 /// force_no_recompute, and what was handed in for settings without influence; nothing else. Objects
 /// may be used in different threads. Nothing is printed but what the base prints on missing or
-/// empty inputs.
+/// empty inputs, and pcl::fromPCLPointCloud2 on fields that a pcl::PolygonMesh lacks.
+///
+/// Indices have to be numbers of points of the source when align() is called, which the base does
+/// not check: after a smaller source they are to be set anew.
 ///
 /// Precompiled for the point types below; for others include
 /// posture/registration/impl/isometric_registration.hpp as well.
@@ -109,6 +114,10 @@ class IsometricRegistration : public pcl::Registration<PointSource, PointTarget,
   void setOptions(const RegistrationOptions& options) { options_ = options; }
   const RegistrationOptions& getOptions() const { return options_; }
 
+  /// Told of each stage while align() runs, from the thread that called it; none: an empty one.
+  /// What it throws leaves align(), which has no answer then.
+  void setObserver(Observer observer) { observer_ = std::move(observer); }
+
   /// What registerShapes() says, in double precision. Row i is output[i]; vertices of the target
   /// are points of the target cloud, faces the triangles its polygons were cut into.
   const RegistrationResult& getResult() const { return clouds_.result; }
@@ -141,6 +150,7 @@ class IsometricRegistration : public pcl::Registration<PointSource, PointTarget,
 
   std::vector<pcl::Vertices> source_polygons_, target_polygons_;
   RegistrationOptions options_;
+  Observer observer_;
   RegisteredClouds clouds_;
 
  public:

@@ -41,11 +41,12 @@ struct RegisteredClouds {
   bool answered() const { return surface.rest.vertices.rows() > 0; }
 };
 
-/// registerShapes() for clouds with indices and polygons. Never throws: what is wrong with the
-/// data is the message of a result without an answer.
+/// registerShapes() for clouds with indices and polygons. What is wrong with the data is the
+/// message of a result without an answer; only what the observer throws is thrown on.
 RegisteredClouds registerClouds(const CloudSide& source,
                                 const CloudSide& target,
-                                const RegistrationOptions& options);
+                                const RegistrationOptions& options,
+                                const Observer& observer);
 
 /// Points taken along with the source's surface, their normals turned. Points that are not finite
 /// stay as they are, and so do normals that are not finite or zero.

@@ -92,7 +92,8 @@ bool IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::update
   if (!changed_ && used_ == *this->indices_) return true;
   RegistrationOptions options = options_;
   options.both_ways = true;
-  clouds_ = registerClouds(sourceSide(), targetSide(), options);
+  withdraw("the observer ended the last registration");  // unless it does not
+  clouds_ = registerClouds(sourceSide(), targetSide(), options, observer_);
   used_ = *this->indices_;
   changed_ = false;
   return true;

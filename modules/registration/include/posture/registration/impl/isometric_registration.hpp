@@ -32,6 +32,7 @@ IsometricRegistration<PointSource, PointTarget, Scalar>::operator=(
   source_polygons_ = other.source_polygons_;
   target_polygons_ = other.target_polygons_;
   options_ = other.options_;
+  observer_ = other.observer_;
   clouds_ = other.clouds_;
   detach();
   return *this;
@@ -157,9 +158,11 @@ bool IsometricRegistration<PointSource, PointTarget, Scalar>::registerVisualizat
 template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricRegistration<PointSource, PointTarget, Scalar>::computeTransformation(
     PointCloudSource& output, const Matrix4&) {
+  withdraw("the observer ended the last align()");  // unless it does not
   clouds_ = registerClouds(cloudSide(*this->input_, *this->indices_, source_polygons_),
                            cloudSide(*this->target_, allOf(*this->target_), target_polygons_),
-                           options_);
+                           options_,
+                           observer_);
   this->correspondences_ = pcl::make_shared<pcl::Correspondences>(clouds_.matches);
   if (!clouds_.answered()) return;
   writePlaces(clouds_.result.deformed, clouds_.normals, output);
