@@ -28,6 +28,13 @@ constexpr double FITS_HERE = 0.8, FITS_FAR = 0.5, PERFECT = 0.1, FARTHEST = 4;
 /// than so many times that of the other, it is open which is right.
 constexpr double ELSEWHERE = 0.1, AS_WELL = 2;
 
+/// Of the misfit of a piece, beyond that of a perfect fit, its mirror image's where it is the one
+/// that belongs there: a right foot on a left one.
+constexpr double OTHER_SIDE = 0.75;
+
+/// Ways to lay the mirror image of a piece where the piece lies, about its longest axis.
+constexpr int MIRRORED = 8;
+
 /// So much of what goes on around a piece may do so where the piece does not end.
 constexpr double MOST_GOING_ON = 0.1;
 
@@ -159,6 +166,27 @@ std::vector<Fit> fitsFrom(const TargetPart& target,
   return fits;
 }
 
+/// Whether the mirror image of a piece fits clearly better where it lies.
+bool isOfOtherSide(const TargetPart& target, const Piece& piece, const Fit& fit) {
+  // Mirrored in its plane of moments through the longest axis; any other such plane comes to that,
+  // and a turn about the axis.
+  const Eigen::Matrix3d axes = ownAxes(piece.points);
+  const Eigen::RowVector3d middle = piece.points.colwise().mean();
+  const Eigen::Matrix3d mirror =
+      Eigen::Matrix3d::Identity() - 2 * axes.col(0) * axes.col(0).transpose();
+  Piece image = piece;
+  image.points = ((piece.points.rowwise() - middle) * mirror).rowwise() + middle;
+  image.normals = piece.normals * mirror;
+  std::vector<Eigen::Isometry3d> starts;
+  for (int k = 0; k < MIRRORED; ++k)
+    starts.push_back(fit.motion * Eigen::Translation3d(middle.transpose()) *
+                     Eigen::AngleAxisd(2 * M_PI * k / MIRRORED, axes.col(2)) *
+                     Eigen::Translation3d(-middle.transpose()));
+  const std::vector<Fit> mirrored = fitsFrom(target, image, THEN, starts);
+  return !mirrored.empty() &&
+         mirrored.front().misfit + PERFECT < OTHER_SIDE * (fit.misfit + PERFECT);
+}
+
 /// The best of them that differ.
 std::vector<Eigen::Isometry3d> different(const std::vector<Fit>& fits,
                                          const Piece& piece,
@@ -226,7 +254,9 @@ std::optional<Eigen::Isometry3d> drawPiece(const TargetPart& target,
   const auto fitsAtAll = [&](const Fit& fit) {
     return fit.misfit < FITS_HERE + (FITS_FAR - FITS_HERE) * shift(fit.motion);
   };
-  if (!fitsAtAll(best_fit) || !liesOn(target, piece, best_fit.motion)) return {};
+  if (!fitsAtAll(best_fit) || !liesOn(target, piece, best_fit.motion) ||
+      isOfOtherSide(target, few, best_fit))
+    return {};
   const Points places = moved(best_fit.motion, few.points);
   for (const Fit& fit : fits)
     if (fitsAtAll(fit) && fit.misfit < AS_WELL * std::max(PERFECT, best_fit.misfit) &&
