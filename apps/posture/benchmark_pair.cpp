@@ -87,7 +87,10 @@ Json registerAndJudge(const BenchmarkPair& pair, Method method, const PairData& 
   if (!result.hypotheses.empty())
     json["consistency"] = result.hypotheses[result.chosen].consistency;
   if (method == Method::REFINED) json["trust"] = result.trust;
-  if (!result.alternatives.empty()) json["score"] = result.score;
+  if (!result.alternatives.empty()) {
+    json["score"] = result.score;
+    json["hands"] = result.hands;
+  }
   json["source_vertices"] = data.source.cloud.points.rows();
   json["target_vertices"] = data.target.cloud.points.rows();
   json["samples"] = result.source.samples;

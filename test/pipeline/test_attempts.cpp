@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "attempts.h"
@@ -135,8 +136,37 @@ TEST(Attempts, areChangedBeforeAndAfterTheyAreFinished) {
 }
 
 TEST(Attempts, aMapThatClosedHolesLedAstrayScoresFarWorse) {
-  EXPECT_TRUE(leadsAstray(-12, -10.5));
-  EXPECT_FALSE(leadsAstray(-12, -11.5));
+  const RegistrationResult without = answerWith(-12, 1);
+  EXPECT_TRUE(leadsAstray(without, answerWith(-10.5, 1)));
+  EXPECT_FALSE(leadsAstray(without, answerWith(-11.5, 1)));
+  RegistrationResult hands_seen = answerWith(-11.5, 1);
+  payForHands(3, hands_seen);
+  EXPECT_FALSE(leadsAstray(without, hands_seen));
+}
+
+TEST(Attempts, handsOnTheOtherSideArePaidForOnce) {
+  RegistrationResult result = answerWith(-12, 1);
+  const double trust = result.trust;
+  payForHands(5, result);
+  payForHands(5, result);
+  payForHands(2, result);
+  EXPECT_EQ(result.hands, 5);
+  EXPECT_EQ(result.score, -7);
+  EXPECT_LT(result.trust, 0.1 * trust);
+  EXPECT_EQ(result.status, Status::UNDECIDED);
+  EXPECT_THAT(result.message, testing::HasSubstr("mirror images"));
+}
+
+TEST(Attempts, whatOneKnowsOfTheHandsHoldsForAllOfOneAnswer) {
+  RegistrationResult seen = answerWith(-12, 1);
+  payForHands(5, seen);
+  // The same answer by a part that has no hands, and the right one.
+  const auto part = [] { return answerWith(-11.5, 1); };
+  const RegistrationResult result = best({{seen, {}}, {part(), part}, {answerWith(-9, 2), {}}});
+  EXPECT_EQ(result.correspondence.on_target[0].vertex, 2);
+  const RegistrationResult turned = best({{seen, {}}, {part(), part}});
+  EXPECT_GE(turned.hands, 5);
+  EXPECT_EQ(turned.status, Status::UNDECIDED);
 }
 
 TEST(Attempts, anAnswerThatIsAllButCertainAndNotAstrayStands) {

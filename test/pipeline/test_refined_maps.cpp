@@ -5,6 +5,7 @@
 #include "refine/club.h"
 #include "refined_maps.h"
 #include "support/shapes.h"
+#include "support/unit_area.h"
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -137,6 +138,21 @@ TEST(JudgedByEnds, handsTellWhetherABodyIsHalfTurned) {
   // By the rest of the body it would be the right one.
   EXPECT_LT(turned.score.total(), maps.front().score.total());
   EXPECT_GT(turned.ends, 0.5 * std::log(2));  // half of what one hand may cost
+}
+
+TEST(JudgedByEnds, aHalfTurnedBodyIsToldByItselfWhereASideMayLackParts) {
+  TriangleMesh hollow = test::bodyWithTwoHands(3);
+  hollow.vertices.col(2) *= 2;  // the palms, so that hands are not nearly their own mirror images
+  const RefinedShape body = refinedShape(test::unitArea(hollow));
+  const std::vector<Finalist> finalists = straightAndTurned(body, body);
+  const auto refined = [&](bool turned, bool may_lack) {
+    return refineFinalists(body, body, may_lack, {&finalists[turned ? 1 : 0]}).front();
+  };
+  const RefinedMap wrong = refined(true, true);
+  EXPECT_GT(wrong.hands, 2);
+  EXPECT_EQ(wrong.likeness(), wrong.score.total() + wrong.hands);
+  EXPECT_EQ(refined(true, false).hands, 0);
+  EXPECT_EQ(refined(false, true).hands, 0);
 }
 
 TEST(WorkMeshes, shareABudget) {

@@ -27,6 +27,10 @@ constexpr double A_PART = 0.02;
 /// that lead across a face, maps that were astray had lost 1.2 and more.
 constexpr double COST_OF_ADDED = 1;
 
+bool isAstray(double score_without, double score_with) {
+  return score_with > score_without + COST_OF_ADDED;
+}
+
 /// Two answers, where both map something.
 struct Overlap {
   int both = 0, either = 0, fewer = 0;  ///< vertices that both, either, and the one with fewer map
@@ -125,13 +129,24 @@ bool agreeEverywhere(const std::vector<SurfacePoint>& x,
   return both > 0 && 2 * both >= either && elsewhere < A_PART * both;
 }
 
-bool leadsAstray(double score_without, double score_with) {
-  return score_with > score_without + COST_OF_ADDED;
+void payForHands(double hands, RegistrationResult& result) {
+  if (result.chosen < 0 || !(hands > result.hands)) return;
+  const double more = hands - result.hands;
+  result.hands = hands;
+  result.score += more;
+  std::optional<double>& refined = result.alternatives[result.chosen].refined_score;
+  if (refined) *refined += more;
+  setTrust(trustIn(result), result);
+  giveVerdict(result);
+}
+
+bool leadsAstray(const RegistrationResult& without, const RegistrationResult& with) {
+  return isAstray(without.score - without.hands, with.score - with.hands);
 }
 
 bool knownStands(const RegistrationResult& known, double confirming_score) {
   return known.trust >= ALL_BUT_CERTAIN &&
-         !leadsAstray(confirming_score, known.alternatives[known.chosen].score);
+         !isAstray(confirming_score, known.alternatives[known.chosen].score);
 }
 
 RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map) {
@@ -147,11 +162,30 @@ RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map)
   return verdict;
 }
 
+namespace {
+
+/// What one attempt knows of the hands holds for all with the same answer.
+void shareHands(const TriangleMesh& target, std::vector<Attempt>& attempts) {
+  for (Attempt& attempt : attempts) {
+    double hands = 0;
+    for (const Attempt& other : attempts)
+      if (other.found.hands > attempt.found.hands &&
+          isSameAnswer(attempt.found, other.found, target))
+        hands = std::max(hands, other.found.hands);
+    if (hands > 0)
+      attempt = withChange(std::move(attempt),
+                           [hands](RegistrationResult& result) { payForHands(hands, result); });
+  }
+}
+
+}  // namespace
+
 RegistrationResult bestAttempt(std::vector<Attempt> attempts,
                                const TriangleMesh& target,
                                const RegistrationOptions& options,
                                StageClock& clock) {
   const double size = std::sqrt(attempts.front().found.target.area);
+  shareHands(target, attempts);
   for (;;) {
     const std::size_t best = bestOf(attempts);
     const Rival rival = rivalOf(attempts, best, target, size);

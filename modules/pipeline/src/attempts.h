@@ -38,9 +38,13 @@ bool agreeEverywhere(const std::vector<SurfacePoint>& x,
                      const TriangleMesh& target,
                      double size);
 
+/// Takes up what another attempt knows to speak against the same answer: hands on the other side,
+/// which may be cut off in the one and whole in the other.
+void payForHands(double hands, RegistrationResult& result);
+
 /// Whether surface put in, patches or strips, leads an answer astray that was found without it too:
-/// it then scores far worse.
-bool leadsAstray(double score_without, double score_with);
+/// it then scores far worse, hands apart.
+bool leadsAstray(const RegistrationResult& without, const RegistrationResult& with);
 
 /// Whether an answer found with patches needs no second one that leads to the same places on the
 /// surfaces as they are: it is all but certain, and not astray.

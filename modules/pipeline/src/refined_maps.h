@@ -21,8 +21,7 @@ struct RefinedMap {
   /// By how much worse ends of limbs fit than under the map, of those it was compared with, under
   /// which they fit best (endDisagreements()): says nothing of maps it was not compared with.
   double ends = 0;
-  /// What it pays for hands that it takes to the other one; 0 where it was not looked at.
-  double hands = 0;
+  double hands = 0;  ///< what it pays for hands on the other side; 0 where none was looked at
 
   /// What it is known for right by. Lower is better.
   double likeness() const { return score.total() + hands; }
@@ -42,7 +41,8 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
 /// Makes a map as exact as the work meshes allow: limbs are turned about themselves where they fit
 /// better so, all is annealed, ends of limbs that do not fit are laid anew, and what is misplaced
 /// is let go of. Limbs are not turned where something was let go of before. The score stays what it
-/// is compared by. Maps of surfaces that were laid over each other stay as they are.
+/// is compared by. Maps of surfaces that were laid over each other stay as they are, and where a
+/// surface is too torn for one of these steps it is left out.
 /// \param may_lack  as for refineFinalists(): if not, nothing is let go of.
 void annealMap(const RefinedShape& source,
                const RefinedShape& target,

@@ -219,6 +219,7 @@ bool chooseMap(const FirstMaps& first_maps,
     const auto at = std::find(answers.begin(), answers.end(), refined_answers.chosen());
     result.chosen = static_cast<int>(at - answers.begin());
     result.score = chosen.best.likeness();
+    result.hands = chosen.best.hands;
     result.trust = trustIn(result);
   });
   return true;

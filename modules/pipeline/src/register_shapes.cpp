@@ -34,6 +34,11 @@ constexpr double NEARLY_ALL = 0.9, CLEARLY_MORE = 0.05;
 /// one with the main surface on the other side would be squeezed onto what is next to it.
 constexpr double A_LIMB = 0.02;
 
+/// Of a surface that closes hands are not looked at, of the same one cut open they are.
+double scoreApartFromHands(const Attempt& attempt) {
+  return attempt.found.score - attempt.found.hands;
+}
+
 /// Of the source's vertices, those with a counterpart.
 double mappedShare(const RegistrationResult& result) {
   return static_cast<double>(mappedCount(result.correspondence.on_target)) /
@@ -83,8 +88,9 @@ std::optional<Attempt> registerWhole(const GivenShape& source,
     other = clock.tryTo([&] { return *parted->goOn(known, false); });
   if (other && other->found.chosen < 0) other.reset();  // it has no map
   if (!as_given && !(isConvincing(other) && isDecisive(parted->score, whole.score))) goOnAsGiven();
-  if (as_given && (!other || (as_given->found.chosen >= 0 &&
-                              other->found.score > as_given->found.score - SCORE_NOISE)))
+  if (as_given &&
+      (!other || (as_given->found.chosen >= 0 &&
+                  scoreApartFromHands(*other) > scoreApartFromHands(*as_given) - SCORE_NOISE)))
     return as_given;
   Attempt cut = withChange(std::move(*other),
                            [of_source = summarize(source),
@@ -118,12 +124,15 @@ RegistrationResult bestOfBoth(Attempt as_given,
     attempts.push_back(std::move(closed));
     return bestAttempt(std::move(attempts), target, options, clock);
   }
-  const bool astray = leadsAstray(as_given.found.score, closed.found.score);
+  const bool astray = leadsAstray(as_given.found, closed.found);
+  const double hands = std::max(as_given.found.hands, closed.found.hands);
   Attempt &better = astray ? as_given : closed, &other = astray ? closed : as_given;
   std::optional<RegistrationResult> map = clock.tryTo([&] { return finished(std::move(better)); });
   if (!map) return finished(std::move(other));
   if (options.refine_alternatives)
     if (auto whole = clock.tryTo([&] { return finished(other); })) other.found = *whole;
+  payForHands(hands, other.found);
+  payForHands(hands, *map);
   return withMapOf(std::move(other.found), std::move(*map));
 }
 
@@ -242,8 +251,10 @@ RegistrationResult registerMeshes(const GivenShape& source,
   if (!looksAlike(main) || mapped < NEARLY_ALL ||
       std::max(shareInPieces(source.clean), shareInPieces(target.clean)) > A_LIMB)
     joined = registerJoined(source, target, options, clock);
-  if (joined && isSameAnswer(main, *joined, target.input) && joined->status == Status::REGISTERED &&
-      !leadsAstray(main.score, joined->score) && mappedShare(*joined) > mapped + CLEARLY_MORE)
+  const bool is_same = joined && isSameAnswer(main, *joined, target.input);
+  if (is_same) payForHands(main.hands, *joined);
+  if (is_same && joined->status == Status::REGISTERED && !leadsAstray(main, *joined) &&
+      mappedShare(*joined) > mapped + CLEARLY_MORE)
     return std::move(*joined);
   std::vector<Attempt> attempts;
   attempts.push_back({std::move(main), {}});

@@ -130,6 +130,13 @@ void giveVerdict(RegistrationResult& result) {
   result.status = isDecided(result) ? Status::REGISTERED : Status::UNDECIDED;
   if (result.status == Status::REGISTERED)
     result.message = mappedMessage(result);
+  else if (likenessOf(result.score) < LEAST_TRUST &&
+           likenessOf(result.score - result.hands) >= LEAST_TRUST)
+    result.message =
+        "the best map takes hands or feet to the mirror images of their like, as one that has "
+        "front "
+        "and back exchanged does: it is trusted to " +
+        percent(result.trust) + " only";
   else if (likenessOf(result.score) < LEAST_TRUST)
     result.message =
         "source and target do not look like one body in two poses: the best map between them is "

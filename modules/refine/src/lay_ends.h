@@ -54,7 +54,8 @@ double angleBetween(const LaidEnd& x, const LaidEnd& y);
 /// As the map lays it: its motion alone.
 LaidEnd asMapped(const SpectralSurface& b, const LimbEnd& a, const VertexMaps& maps);
 
-/// The best ways to lay an end on another one, each turned against the better ones; best first.
+/// The best ways to lay an end on another one, each turned against the better ones; best first, at
+/// least one.
 /// \param mapped  as a map lays it: one of the ways that are tried.
 std::vector<LaidEnd> waysToLay(const LimbEnd& a, const LimbEnd& b, const LaidEnd& mapped);
 

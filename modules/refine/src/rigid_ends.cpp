@@ -27,9 +27,9 @@ constexpr double DOES_NOT_FIT = 2;
 /// ways.
 constexpr double SAMPLING = 0.28;
 
-/// Of the misfit of an end's mirror image, its own where it tells that it is of the same hand; and
-/// the other way round. Right and wrong hands of people have 0.3 to 0.65, feet of animals up to
-/// 0.8, ends that tell nothing 0.8 and more.
+/// Of the misfit of an end's mirror image, its own where it tells that it is of the same hand,
+/// twice what is chance added to both; and the other way round. Right and wrong hands of people
+/// have 0.3 to 0.65, feet of animals up to 0.8, ends that tell nothing 0.8 and more.
 constexpr double SAME_HAND = 0.75;
 
 constexpr std::size_t PLACES_ON_END = 5;
@@ -164,7 +164,6 @@ HandVote handVote(const SpectralSurface& a,
   const Vector remote_a = remoteness(a), remote_b = remoteness(b);
   std::vector<char> seen_a(a.mesh.vertices.rows(), 0), seen_b(b.mesh.vertices.rows(), 0);
   const auto count = [&](int tip_a, int tip_b) {
-    if (seen_a[tip_a] != 0 || seen_b[tip_b] != 0) return;
     const LimbEnd end = endAt(a, remote_a, tip_a), other = endAt(b, remote_b, tip_b);
     markEnd(end, seen_a);
     markEnd(other, seen_b);
@@ -181,8 +180,10 @@ HandVote handVote(const SpectralSurface& a,
     vote.for_it += isClearly(own, mirrored);
     vote.against_it += isClearly(mirrored, own);
   };
-  for (int tip : tips_a) count(tip, maps.forward[tip]);
-  for (int tip : tips_b) count(maps.backward[tip], tip);
+  for (int tip : tips_a)
+    if (seen_a[tip] == 0) count(tip, maps.forward[tip]);
+  for (int tip : tips_b)
+    if (seen_b[tip] == 0 && seen_a[maps.backward[tip]] == 0) count(maps.backward[tip], tip);
   return vote;
 }
 

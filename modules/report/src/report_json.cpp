@@ -136,6 +136,7 @@ Json describeTrust(const RegistrationResult& result) {
   if (!result.alternatives.empty()) {
     trust["trust"] = number(result.trust);
     trust["score"] = number(result.score);
+    trust["hands"] = number(result.hands);
   }
   if (result.back)
     trust["there_and_back"] = {{"mean_miss", number(result.back->mean_miss)},

@@ -67,8 +67,9 @@ struct AlternativeSummary {
   double return_miss = 0;
   double let_go = 0;
   double score = 0;
-  /// That of the map refined from it, and by how much worse ends of limbs fit than under the others
-  /// (endDisagreements()); none where another answer is better by far before that.
+  /// That of the map refined from it, with what it pays for hands on the other side, and by how
+  /// much worse ends of limbs fit than under the others (endDisagreements()); none where another
+  /// answer is better by far before that.
   std::optional<double> refined_score;
   double gap = 0;                  ///< mean distance from the chosen answer, over sqrt(area)
   std::vector<int> target_vertex;  ///< per source vertex as given, to the spacing of the coarse
@@ -113,7 +114,9 @@ struct RegistrationResult {
   std::vector<AlternativeSummary> alternatives;  ///< REFINED, by increasing score
   int chosen = -1;                               ///< index into hypotheses or alternatives
   double consistency_threshold = 0;              ///< PAPER: c0 of section 4.2
-  double score = 0;  ///< REFINED: of the map that was chosen, before it is annealed: as its rivals'
+  /// REFINED: of the map that was chosen, before it is annealed, as its rivals'; with `hands`.
+  double score = 0;
+  double hands = 0;  ///< REFINED: what of the score the map pays for hands on the other side
   double trust = 0;  ///< REFINED, 0 to 1: how likely the map is right, see docs/decisions/trust.md
   double scale = 1;  ///< a source length times this is a target length
   ShapeSummary source, target;  ///< of the meshes, given or laid through the points

@@ -62,12 +62,14 @@ struct HandVote {
   int for_it = 0, against_it = 0;
 };
 
-/// Whether a map takes right hands and feet to right ones. An end tells where it, or its mirror
-/// image, fits clearly better where the map takes it, and in one way only: most heads, which are
-/// their own mirror images, and paws do not. What a map that is half-turned, front on back and left
-/// on right, cannot hide: it keeps the outside out, and hardly bends a body more than the right
-/// one. \param tips_a, tips_b  ends of limbs of either; what was looked at from a is not from b
-/// again. \pre  as for rigidEnds().
+/// Whether a map takes right hands and feet to right ones, not to left ones. An end tells where it,
+/// or its mirror image, fits clearly better where the map takes it, and in one way only: most
+/// heads, which are their own mirror images, and paws do not, nor do ends of few vertices, or that
+/// are not all there. What a map that is half-turned, front on back and left on right, cannot hide:
+/// it keeps the outside out, and hardly bends a body more than the right one.
+///
+/// \param tips_a, tips_b  ends of limbs of either; what was looked at from a is not from b again.
+/// \pre  as for rigidEnds().
 HandVote handVote(const SpectralSurface& a,
                   const SpectralSurface& b,
                   const std::vector<int>& tips_a,
