@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 namespace posture {
 namespace {
@@ -96,6 +97,28 @@ TEST(IsometricCorrespondenceEstimation, farPairsAreLeftOut) {
   EXPECT_LT(near.size(), bodies().matches.size());
   EXPECT_GT(near.size(), 0);
   for (const pcl::Correspondence& match : near) EXPECT_LE(match.distance, limit * limit);
+}
+
+TEST(IsometricCorrespondenceEstimation, whatAnObserverThrowsLeavesItToBeDoneAgain) {
+  struct Cancelled : std::runtime_error {
+    using std::runtime_error::runtime_error;
+  };
+  Estimation estimation = bodies().estimation;
+  estimation.setOptions(published());
+  bool ends = true;
+  int stages = 0;
+  estimation.setObserver([&](const StageEvent&) {
+    if (ends) throw Cancelled("enough");
+    ++stages;
+  });
+  pcl::Correspondences matches = bodies().matches;
+  EXPECT_THROW(estimation.determineCorrespondences(matches), Cancelled);
+  EXPECT_TRUE(estimation.getResult().correspondence.on_target.empty());
+  ends = false;
+  estimation.determineCorrespondences(matches);
+  EXPECT_GT(stages, 3);
+  EXPECT_FALSE(matches.empty());
+  EXPECT_EQ(estimation.getResult().correspondence.on_target.size(), bodies().source->size());
 }
 
 TEST(IsometricCorrespondenceEstimation, reciprocalMatchesAreOneToOne) {

@@ -6,6 +6,7 @@
 #include <posture/refine/map_score.h>
 
 #include "given_shape.h"
+#include "judge_by_ends.h"
 #include "verdict.h"
 #include <cmath>
 #include <cstddef>
@@ -55,6 +56,14 @@ Overlap overlapOf(const RegistrationResult& x,
   return overlap;
 }
 
+/// How far two answers lie apart; 1 where they hardly map the same.
+double gapOf(const Overlap& overlap) {
+  return overlap.both == 0 || 2 * overlap.both < overlap.fewer ? 1 : overlap.gap;
+}
+
+/// One that maps less, and agrees there, does not lead elsewhere.
+bool leadsElsewhere(const Overlap& overlap) { return gapOf(overlap) >= SAME_ANSWER; }
+
 /// The one of least score, the first if none is better by more than scores vary.
 std::size_t bestOf(const std::vector<Attempt>& attempts) {
   std::size_t best = 0;
@@ -83,10 +92,7 @@ Rival rivalOf(const std::vector<Attempt>& attempts,
     if (i == best || found.chosen < 0) continue;
     if (rival.attempt != nullptr && rival.attempt->found.score <= found.score) continue;
     const Overlap overlap = overlapOf(attempts[best].found, found, target, size);
-    // One that maps less, and agrees there, does not lead elsewhere.
-    const bool apart = overlap.both == 0 || 2 * overlap.both < overlap.fewer;
-    const double gap = apart ? 1 : overlap.gap;
-    if (gap >= SAME_ANSWER) rival = {&attempts[i], gap};
+    if (leadsElsewhere(overlap)) rival = {&attempts[i], gapOf(overlap)};
   }
   return rival;
 }
@@ -129,6 +135,15 @@ bool agreeEverywhere(const std::vector<SurfacePoint>& x,
   return both > 0 && 2 * both >= either && elsewhere < A_PART * both;
 }
 
+double handsByBoth(const RegistrationResult& result,
+                   const RegistrationResult& other,
+                   const TriangleMesh& target) {
+  return other.hands > result.hands && 2 * other.hands >= COST_OF_HANDS &&
+                 !leadsElsewhere(overlapOf(result, other, target, std::sqrt(result.target.area)))
+             ? other.hands
+             : result.hands;
+}
+
 void payForHands(double hands, RegistrationResult& result) {
   if (result.chosen < 0 || !(hands > result.hands)) return;
   const double more = hands - result.hands;
@@ -167,12 +182,10 @@ namespace {
 /// What one attempt knows of the hands holds for all with the same answer.
 void shareHands(const TriangleMesh& target, std::vector<Attempt>& attempts) {
   for (Attempt& attempt : attempts) {
-    double hands = 0;
+    double hands = attempt.found.hands;
     for (const Attempt& other : attempts)
-      if (other.found.hands > attempt.found.hands &&
-          isSameAnswer(attempt.found, other.found, target))
-        hands = std::max(hands, other.found.hands);
-    if (hands > 0)
+      hands = std::max(hands, handsByBoth(attempt.found, other.found, target));
+    if (hands > attempt.found.hands)
       attempt = withChange(std::move(attempt),
                            [hands](RegistrationResult& result) { payForHands(hands, result); });
   }

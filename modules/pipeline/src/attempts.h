@@ -38,8 +38,14 @@ bool agreeEverywhere(const std::vector<SurfacePoint>& x,
                      const TriangleMesh& target,
                      double size);
 
-/// Takes up what another attempt knows to speak against the same answer: hands on the other side,
-/// which may be cut off in the one and whole in the other.
+/// What an attempt pays for hands on the other side, by what another one with the same answer knows
+/// as well: they may be cut off in the one and whole in the other. Only where that one has most
+/// hands on the other side: a limb on the wrong side is its own.
+double handsByBoth(const RegistrationResult& result,
+                   const RegistrationResult& other,
+                   const TriangleMesh& target);
+
+/// Raises what is paid for hands, and what follows from that.
 void payForHands(double hands, RegistrationResult& result);
 
 /// Whether surface put in, patches or strips, leads an answer astray that was found without it too:

@@ -10,12 +10,6 @@
 namespace posture {
 namespace {
 
-/// What a map pays for the share of its hands that are on the other side, one more counted as
-/// right: 3.5 where one tells, 5.6 where four do, by which a map of people that is right but for
-/// that
-/// (-10.4 to -14) is not believed; 1.4 for one against three.
-constexpr double COST_OF_HANDS = 7;
-
 /// The tips that different answers take to different places.
 std::vector<int> takenApart(const std::vector<int>& tips,
                             const TriangleMesh& other,

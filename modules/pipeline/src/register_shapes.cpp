@@ -125,14 +125,15 @@ RegistrationResult bestOfBoth(Attempt as_given,
     return bestAttempt(std::move(attempts), target, options, clock);
   }
   const bool astray = leadsAstray(as_given.found, closed.found);
-  const double hands = std::max(as_given.found.hands, closed.found.hands);
   Attempt &better = astray ? as_given : closed, &other = astray ? closed : as_given;
+  const double of_better = handsByBoth(better.found, other.found, target),
+               of_other = handsByBoth(other.found, better.found, target);
   std::optional<RegistrationResult> map = clock.tryTo([&] { return finished(std::move(better)); });
   if (!map) return finished(std::move(other));
   if (options.refine_alternatives)
     if (auto whole = clock.tryTo([&] { return finished(other); })) other.found = *whole;
-  payForHands(hands, other.found);
-  payForHands(hands, *map);
+  payForHands(of_other, other.found);
+  payForHands(of_better, *map);
   return withMapOf(std::move(other.found), std::move(*map));
 }
 
@@ -252,9 +253,9 @@ RegistrationResult registerMeshes(const GivenShape& source,
       std::max(shareInPieces(source.clean), shareInPieces(target.clean)) > A_LIMB)
     joined = registerJoined(source, target, options, clock);
   const bool is_same = joined && isSameAnswer(main, *joined, target.input);
-  if (is_same) payForHands(main.hands, *joined);
-  if (is_same && joined->status == Status::REGISTERED && !leadsAstray(main, *joined) &&
-      mappedShare(*joined) > mapped + CLEARLY_MORE)
+  if (is_same) payForHands(handsByBoth(*joined, main, target.input), *joined);
+  if (is_same && joined->status == Status::REGISTERED && joined->hands <= main.hands &&
+      !leadsAstray(main, *joined) && mappedShare(*joined) > mapped + CLEARLY_MORE)
     return std::move(*joined);
   std::vector<Attempt> attempts;
   attempts.push_back({std::move(main), {}});
