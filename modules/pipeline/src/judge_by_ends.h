@@ -9,10 +9,9 @@
 namespace posture {
 
 /// What a map pays for the share of its hands that are on the other side, one more counted as
-/// right: 3.5 where one tells, 5.6 where four do, by which a map of people that is right but for
-/// that
-/// (-10.4 to -14) is not believed; 1.4 for one against three. Half of it where most of them are:
-/// the body is turned then, and not a limb laid on the other one.
+/// right: 3.5 where one tells, 5.6 where four do, so that a half-turned body, which scores -10.4 to
+/// -14, is not believed; 1.4 for one against three. It comes to half or more where most of them
+/// are: the body is turned then, and not a limb laid on the other one.
 constexpr double COST_OF_HANDS = 7;
 
 /// Where maps are different answers, compares them by how ends of limbs fit, too
