@@ -8,6 +8,7 @@
 #include "given_shape.h"
 #include "judge_by_ends.h"
 #include "verdict.h"
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
