@@ -56,13 +56,28 @@ std::vector<double> disagreementsOfEnds(const RefinedShape& source,
   return sums;
 }
 
-/// What was let go of votes, too: a foot that lies on the other one is let go of as often as not.
+/// Those that were not let go of, nor what they are matched with.
+std::vector<int> matchedTips(const std::vector<int>& tips,
+                             const std::vector<char>& apart,
+                             const std::vector<int>& map,
+                             const std::vector<char>& apart_there) {
+  std::vector<int> matched;
+  for (int tip : tips)
+    if (!isApart(apart, tip) && !isApart(apart_there, map[tip])) matched.push_back(tip);
+  return matched;
+}
+
 double costOfHands(const RefinedShape& source,
                    const RefinedShape& target,
                    const WorkSurfaces& surfaces,
                    const RefinedMap& map) {
-  const HandVote vote = handVote(
-      surfaces.source(map.scale), surfaces.target(), source.tips(), target.tips(), map.pair.maps);
+  const BentPair& pair = map.pair;
+  const HandVote vote =
+      handVote(surfaces.source(map.scale),
+               surfaces.target(),
+               matchedTips(source.tips(), pair.apart_a, pair.maps.forward, pair.apart_b),
+               matchedTips(target.tips(), pair.apart_b, pair.maps.backward, pair.apart_a),
+               pair.maps);
   return COST_OF_HANDS * vote.against_it / (vote.for_it + vote.against_it + 1);
 }
 
