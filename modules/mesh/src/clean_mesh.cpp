@@ -106,6 +106,51 @@ void attachLooseVertices(const Points& vertices, CleanMesh& clean) {
   }
 }
 
+/// The corners of the largest part, numbered in the order of the input, and its faces.
+/// \return  which of the welded faces these were.
+std::vector<int> keepLargest(const TriangleMesh& welded,
+                             const ConnectedParts& parts,
+                             CleanMesh& clean) {
+  const int n = static_cast<int>(welded.vertices.rows());
+  std::vector<Eigen::Vector3i> faces;
+  std::vector<int> kept;
+  for (int f = 0; f < welded.faces.rows(); ++f) {
+    if (parts.of_face[f] != parts.largest) continue;
+    faces.emplace_back(welded.faces.row(f));
+    kept.push_back(f);
+  }
+  clean.clean_vertex.assign(n, -1);
+  for (const auto& t : faces)
+    for (int k = 0; k < 3; ++k) clean.clean_vertex[t[k]] = 0;
+  for (int v = 0; v < n; ++v)
+    if (clean.clean_vertex[v] == 0) {
+      clean.clean_vertex[v] = static_cast<int>(clean.input_vertex.size());
+      clean.input_vertex.push_back(v);
+    }
+  for (auto& t : faces)
+    for (int k = 0; k < 3; ++k) t[k] = clean.clean_vertex[t[k]];
+  clean.mesh = {welded.vertices(clean.input_vertex, Eigen::all), toFaces(faces)};
+  return kept;
+}
+
+/// Faces alike, and notes which of the input's were turned for it.
+/// \param input_face  of each face of the main surface.
+void faceAlike(const Faces& input,
+               const std::vector<int>& input_face,
+               Facing facing,
+               CleanMesh& clean) {
+  const Orientation orientation = orientFaces(clean.mesh, facing);
+  clean.outward_known = orientation.outward_known;
+  clean.inside_out = orientation.inside_out;
+  clean.face_on_main.assign(input.rows(), 0);
+  clean.face_turned.assign(input.rows(), clean.inside_out ? 1 : 0);
+  for (std::size_t f = 0; f < input_face.size(); ++f) {
+    clean.face_on_main[input_face[f]] = 1;
+    clean.face_turned[input_face[f]] = orientation.turned[f];
+    clean.summary.flipped_faces += orientation.turned[f];
+  }
+}
+
 }  // namespace
 
 CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
@@ -119,53 +164,27 @@ CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
   for (int v = 0; v < n; ++v) summary.welded_vertices += representative[v] != v;
 
   const UsableFaces usable = usableFaces(input.faces, representative, summary);
-  TriangleMesh welded{input.vertices, toFaces(usable.corners)};
+  const TriangleMesh welded{input.vertices, toFaces(usable.corners)};
   if (welded.faces.rows() == 0) throw InputError("has no face with three different corners");
-  std::vector<char> referenced(n, 0);
-  for (int i = 0; i < input.faces.size(); ++i) referenced[input.faces.data()[i]] = 1;
-  summary.unreferenced_vertices =
-      static_cast<int>(std::count(referenced.begin(), referenced.end(), 0));
-
   const ConnectedParts parts = connectedParts(welded);
   summary.components = static_cast<int>(parts.area.size());
-  clean.clean_vertex.assign(n, -1);
-  clean.offset = Vector::Zero(n);
-  std::vector<Eigen::Vector3i> faces;
-  std::vector<int> input_face;
-  for (int f = 0; f < welded.faces.rows(); ++f) {
-    if (parts.of_face[f] != parts.largest) continue;
-    faces.emplace_back(welded.faces.row(f));
-    input_face.push_back(usable.input_face[f]);
-  }
-  // Numbered in the order of the input.
-  for (const auto& t : faces)
-    for (int k = 0; k < 3; ++k) clean.clean_vertex[t[k]] = 0;
-  for (int v = 0; v < n; ++v)
-    if (clean.clean_vertex[v] == 0) {
-      clean.clean_vertex[v] = static_cast<int>(clean.input_vertex.size());
-      clean.input_vertex.push_back(v);
-    }
+  const std::vector<int> kept = keepLargest(welded, parts, clean);
   for (int v = 0; v < n; ++v) clean.clean_vertex[v] = clean.clean_vertex[representative[v]];
-  for (auto& t : faces)
-    for (int k = 0; k < 3; ++k) t[k] = clean.clean_vertex[t[k]];
-  for (int v = 0; v < n; ++v)
-    summary.loose_vertices += referenced[v] != 0 && clean.clean_vertex[v] < 0;
 
-  clean.mesh.faces = toFaces(faces);
-  clean.mesh.vertices = input.vertices(clean.input_vertex, Eigen::all);
+  std::vector<char> referenced(n, 0);
+  for (int v : input.faces.reshaped()) referenced[v] = 1;
+  for (int v = 0; v < n; ++v) {
+    summary.unreferenced_vertices += referenced[v] == 0;
+    summary.loose_vertices += referenced[v] != 0 && clean.clean_vertex[v] < 0;
+  }
+
   requireNotTooSmall(extentOf(clean.mesh.vertices));
   if (!(parts.area[parts.largest] > areaOfRounding(clean.mesh.vertices)))
     throw InputError("has only faces without area");
-  const Orientation orientation = orientFaces(clean.mesh, facing);
-  clean.outward_known = orientation.outward_known;
-  clean.inside_out = orientation.inside_out;
-  clean.face_on_main.assign(input.faces.rows(), 0);
-  clean.face_turned.assign(input.faces.rows(), clean.inside_out ? 1 : 0);
-  for (std::size_t f = 0; f < input_face.size(); ++f) {
-    clean.face_on_main[input_face[f]] = 1;
-    clean.face_turned[input_face[f]] = orientation.turned[f];
-    summary.flipped_faces += orientation.turned[f];
-  }
+  clean.offset = Vector::Zero(n);
+  std::vector<int> input_face;
+  for (int f : kept) input_face.push_back(usable.input_face[f]);
+  faceAlike(input.faces, input_face, facing, clean);
   for (const Edge& e : meshEdges(clean.mesh.faces)) summary.non_manifold_edges += e.faces > 2;
   attachLooseVertices(input.vertices, clean);
   keepPieces(welded, parts, clean);

@@ -18,15 +18,116 @@ namespace {
 
 constexpr int MOST_TIP_MAPS = 8;
 
-/// Whether an answer found otherwise is believed and the best finalist leads there too, wherever it
-/// leads.
-bool confirms(const RegistrationResult* known,
-              const PosedSide& source,
-              const PosedSide& target,
-              const std::vector<Finalist>& finalists) {
-  if (known == nullptr || !isDecided(*known) || finalists.empty()) return false;
-  const Finalist& best = finalists.front();
+/// Finalists, and what is found beside them where they do not tell, a stage a function.
+class FinalistSearch {
+ public:
+  FinalistSearch(const CoarseSides& sides,
+                 std::vector<Finalist> finalists,
+                 const KnownAnswer& known,
+                 StageClock& clock)
+      : sides_(sides), known_(known), clock_(clock), found_(std::move(finalists)) {
+    lookAgain();
+  }
+
+  std::vector<Finalist> take() { return std::move(found_); }
+
+  /// The known answer is believed, and the best finalist leads everywhere to where it does.
+  bool confirmsKnown() const { return confirms_; }
+
+  /// So that nothing more need be sought.
+  bool knownSuffices() const { return suffices_; }
+
+  bool convinces() const {
+    return !found_.empty() && posture::convinces(found_.front().score.total());
+  }
+
+  bool isAllButCertain() const { return posture::isAllButCertain(found_, distinct()); }
+
+  /// Those that take tips of limbs to tips of limbs; then those that lay ends as they fit.
+  void addTips() {
+    clock_.stage("tips", 0.03, [&] {
+      found_ = joined(std::move(found_),
+                      registered(tipMaps(sourceSamples(), targetSamples(), MOST_TIP_MAPS)));
+      bendFurther(sides_.source, sides_.target, found_);
+      exchangeParts(sides_.source, sides_.target, gap(), found_);
+      layEndsAsTheyFit();
+    });
+    lookAgain();
+  }
+
+  /// A part that the other side lacks is squeezed onto what there is, and leads what is next to it
+  /// astray.
+  void letGo() {
+    clock_.stage("letting go", 0.03, [&] {
+      const std::vector<int> different = distinct();
+      found_ = withPartsLetGo(sides_.source, sides_.target, different, std::move(found_));
+    });
+    lookAgain();
+  }
+
+  void growAnew() {
+    clock_.stage("growing anew", 0.03, [&] {
+      const std::vector<int> different = distinct();
+      found_ =
+          withPartsGrownAnew(sides_.source, sides_.target, different, gap(), std::move(found_));
+    });
+  }
+
+  void turn() {
+    clock_.stage("turning", 0.03, [&] {
+      const std::vector<int> different = distinct();
+      found_ = withTurned(sides_.source,
+                          sides_.target,
+                          turnsOntoItself(sides_.source, sourceSamples()),
+                          turnsOntoItself(sides_.target, targetSamples()),
+                          different,
+                          gap(),
+                          std::move(found_));
+    });
+  }
+
+  void layOver() {
+    clock_.stage("laying over", 0.03, [&] {
+      found_ = joined(std::move(found_),
+                      layFinalists(sides_.source,
+                                   sides_.target,
+                                   sides_.source_side.coarsePlaces(),
+                                   sides_.target_side.coarsePlaces()));
+    });
+  }
+
+ private:
+  const SampledShape& sourceSamples() const { return sides_.source_side.shape.samples; }
+  const SampledShape& targetSamples() const { return sides_.target_side.shape.samples; }
+  double gap() const { return answerGap(targetSamples()); }
+
+  std::vector<int> distinct() const { return distinctFinalists(found_, sides_.target.mesh, gap()); }
+
+  std::vector<Finalist> registered(const std::vector<SampleMap>& maps) const {
+    return registerFinalists(sides_.source, sides_.target, sourceSamples(), targetSamples(), maps);
+  }
+
+  void lookAgain() {
+    confirms_ = leadsWhereKnown();
+    suffices_ =
+        known_.may_stop && confirms_ && knownStands(*known_.result, found_.front().score.total());
+  }
+
+  bool leadsWhereKnown() const;
+  void layEndsAsTheyFit();
+
+  const CoarseSides& sides_;
+  const KnownAnswer& known_;
+  StageClock& clock_;
+  std::vector<Finalist> found_;  ///< by increasing score
+  bool confirms_ = false, suffices_ = false;
+};
+
+bool FinalistSearch::leadsWhereKnown() const {
+  if (known_.result == nullptr || !isDecided(*known_.result) || found_.empty()) return false;
+  const Finalist& best = found_.front();
   const std::vector<char> apart = best.bent ? best.bent->apart_a : std::vector<char>();
+  const PosedSide &source = sides_.source_side, &target = sides_.target_side;
   const CleanMesh& clean = source.given.clean;
   const RefinedShape& shape = source.shape;
   const std::vector<int> places =
@@ -39,136 +140,73 @@ bool confirms(const RegistrationResult* known,
     if (is_mapped) on_target[v].vertex = places[v];
   }
   return agreeEverywhere(
-      known->correspondence.on_target, on_target, target.given.input, 1 / target.pose.unit);
+      known_.result->correspondence.on_target, on_target, target.given.input, 1 / target.pose.unit);
 }
 
-/// Finalists, and those that take tips of limbs to tips of limbs; then those that lay ends as they
-/// fit.
-std::vector<Finalist> withTips(const PosedSide& source_side,
-                               const PosedSide& target_side,
-                               const SpectralSurface& source,
-                               const SpectralSurface& target,
-                               double gap,
-                               std::vector<Finalist> finalists) {
-  const SampledShape &source_samples = source_side.shape.samples,
-                     &target_samples = target_side.shape.samples;
-  finalists = joined(std::move(finalists),
-                     registerFinalists(source,
-                                       target,
-                                       source_samples,
-                                       target_samples,
-                                       tipMaps(source_samples, target_samples, MOST_TIP_MAPS)));
-  bendFurther(source, target, finalists);
-  exchangeParts(source, target, gap, finalists);
-  const std::vector<SampleMap> maps = endMaps(source_side.shape,
-                                              target_side.shape,
-                                              source,
-                                              target,
-                                              finalists,
-                                              distinctFinalists(finalists, target.mesh, gap));
-  if (maps.empty()) return finalists;
-  std::vector<Finalist> fitting =
-      registerFinalists(source, target, source_samples, target_samples, maps);
-  bendFurther(source, target, fitting);
+void FinalistSearch::layEndsAsTheyFit() {
+  const std::vector<SampleMap> maps = endMaps(sides_.source_side.shape,
+                                              sides_.target_side.shape,
+                                              sides_.source,
+                                              sides_.target,
+                                              found_,
+                                              distinct());
+  if (maps.empty()) return;
+  std::vector<Finalist> fitting = registered(maps);
+  bendFurther(sides_.source, sides_.target, fitting);
   // Parts are exchanged with the best one before alone: with the others they have been.
-  fitting.push_back(std::move(finalists.front()));
-  finalists.erase(finalists.begin());
+  fitting.push_back(std::move(found_.front()));
+  found_.erase(found_.begin());
   sortByScore(fitting);
-  exchangeParts(source, target, gap, fitting);
-  return joined(std::move(finalists), std::move(fitting));
+  exchangeParts(sides_.source, sides_.target, gap(), fitting);
+  found_ = joined(std::move(found_), std::move(fitting));
 }
 
 }  // namespace
 
-std::vector<Finalist> bentFinalists(const SpectralSurface& source,
-                                    const SpectralSurface& target,
-                                    const SampledShape& source_samples,
-                                    const SampledShape& target_samples,
+std::vector<Finalist> bentFinalists(const CoarseSides& sides,
                                     const std::vector<SampleMap>& pool,
                                     StageClock& clock) {
   // Those that keep the outside out, bent onto the target; the least strained first.
   return clock.stage("bending", 0.1, [&] {
+    const SampledShape &source_samples = sides.source_side.shape.samples,
+                       &target_samples = sides.target_side.shape.samples;
     std::vector<Finalist> bent =
-        registerFinalists(source, target, source_samples, target_samples, pool);
-    exchangeParts(source, target, answerGap(target_samples), bent);
+        registerFinalists(sides.source, sides.target, source_samples, target_samples, pool);
+    exchangeParts(sides.source, sides.target, answerGap(target_samples), bent);
     return bent;
   });
 }
 
-std::optional<std::vector<Finalist>> findFinalists(const PosedSide& source_side,
-                                                   const PosedSide& target_side,
-                                                   const SpectralSurface& source,
-                                                   const SpectralSurface& target,
+std::optional<std::vector<Finalist>> findFinalists(const CoarseSides& sides,
                                                    std::vector<Finalist> finalists,
                                                    bool may_lack,
-                                                   const RegistrationResult* known,
-                                                   bool may_stop,
+                                                   const KnownAnswer& known,
                                                    StageClock& clock) {
-  const SampledShape &source_samples = source_side.shape.samples,
-                     &target_samples = target_side.shape.samples;
-  const double gap = answerGap(target_samples);
-  const auto convince = [&] {
-    return !finalists.empty() && convinces(finalists.front().score.total());
-  };
+  FinalistSearch search(sides, std::move(finalists), known, clock);
+  if (search.knownSuffices()) return std::nullopt;
 
-  const auto distinct = [&] { return distinctFinalists(finalists, target.mesh, gap); };
-  bool confirm_known = false;  // the best leads everywhere to where a trusted answer does
-  bool known_stands = false;   // so that nothing more need be sought
-  const auto lookAgain = [&] {
-    confirm_known = confirms(known, source_side, target_side, finalists);
-    known_stands =
-        may_stop && confirm_known && knownStands(*known, finalists.front().score.total());
-  };
-  lookAgain();
-  if (known_stands) return std::nullopt;
   // Where bodies stretch, the right candidate is not among those that change distances least, nor
   // where they lack parts.
-  if (!convince() || (may_lack && !confirm_known && !isAllButCertain(finalists, distinct()))) {
-    clock.stage("tips", 0.03, [&] {
-      finalists = withTips(source_side, target_side, source, target, gap, std::move(finalists));
-    });
-    lookAgain();
-    if (known_stands) return std::nullopt;
+  if (!search.convinces() || (may_lack && !search.confirmsKnown() && !search.isAllButCertain())) {
+    search.addTips();
+    if (search.knownSuffices()) return std::nullopt;
   }
 
-  // A part that the other side lacks is squeezed onto what there is, and leads what is next to it
-  // astray.
-  if (may_lack && !confirm_known) {
-    clock.stage("letting go", 0.03, [&] {
-      const std::vector<int> different = distinct();
-      finalists = withPartsLetGo(source, target, different, std::move(finalists));
-    });
+  if (may_lack && !search.confirmsKnown()) {
+    search.letGo();
+    if (search.knownSuffices()) return std::nullopt;
     // With holes closed the map is wanted for what it does not lose.
     const bool as_given =
-        source_side.given.patch_vertices == 0 && target_side.given.patch_vertices == 0;
-    lookAgain();
-    if (known_stands) return std::nullopt;
-    if (as_given && !confirm_known) {
-      clock.stage("growing anew", 0.03, [&] {
-        const std::vector<int> different = distinct();
-        finalists = withPartsGrownAnew(source, target, different, gap, std::move(finalists));
-      });
-      clock.stage("turning", 0.03, [&] {
-        const std::vector<int> different = distinct();
-        finalists = withTurned(source,
-                               target,
-                               turnsOntoItself(source, source_samples),
-                               turnsOntoItself(target, target_samples),
-                               different,
-                               gap,
-                               std::move(finalists));
-      });
+        sides.source_side.given.patch_vertices == 0 && sides.target_side.given.patch_vertices == 0;
+    if (as_given && !search.confirmsKnown()) {
+      search.growAnew();
+      search.turn();
     }
   }
 
   // Spectra and scale go astray where much is missing; surfaces laid over each other do not.
-  if (!convince())
-    clock.stage("laying over", 0.03, [&] {
-      finalists = joined(
-          std::move(finalists),
-          layFinalists(source, target, source_side.coarsePlaces(), target_side.coarsePlaces()));
-    });
-  return finalists;
+  if (!search.convinces()) search.layOver();
+  return search.take();
 }
 
 }  // namespace posture

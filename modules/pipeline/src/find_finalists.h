@@ -12,35 +12,35 @@
 
 namespace posture {
 
+/// What the stages before refinement work on: two sides at one scale and their coarse surfaces.
+struct CoarseSides {
+  const PosedSide &source_side, &target_side;
+  const SpectralSurface &source, &target;
+};
+
 /// The bending stage: maps between the coarse surfaces that keep the outside out, by increasing
 /// score.
-/// \param source, target  at one scale.
 /// \param pool  sample maps, by increasing distortion.
 /// \throws std::runtime_error  a surface cannot be bent (Arap)
-std::vector<Finalist> bentFinalists(const SpectralSurface& source,
-                                    const SpectralSurface& target,
-                                    const SampledShape& source_samples,
-                                    const SampledShape& target_samples,
+std::vector<Finalist> bentFinalists(const CoarseSides& sides,
                                     const std::vector<SampleMap>& pool,
                                     StageClock& clock);
 
+/// An answer found otherwise.
+struct KnownAnswer {
+  const RegistrationResult* result = nullptr;  ///< in the numbering of both inputs; null: none
+  bool may_stop = false;  ///< whether to end as soon as it is confirmed and stands (knownStands())
+};
+
 /// The stages from tips to laying over: what else is found where the bent maps do not tell.
-/// \param source_side, target_side  at one scale.
-/// \param source, target  their coarse surfaces.
 /// \param finalists  bentFinalists().
 /// \param may_lack  whether a side may lack a part that the other one has.
-/// \param known  an answer found otherwise, in the numbering of both inputs; null: none.
-/// \param may_stop  whether to end as soon as that is confirmed and stands (knownStands()).
-/// \return  maps between the coarse surfaces, by increasing score; nothing: it ended so.
-/// \throws std::runtime_error  a surface cannot be bent (Arap)
-std::optional<std::vector<Finalist>> findFinalists(const PosedSide& source_side,
-                                                   const PosedSide& target_side,
-                                                   const SpectralSurface& source,
-                                                   const SpectralSurface& target,
+/// \return  maps between the coarse surfaces, by increasing score; nothing: the known answer
+/// stands. \throws std::runtime_error  a surface cannot be bent (Arap)
+std::optional<std::vector<Finalist>> findFinalists(const CoarseSides& sides,
                                                    std::vector<Finalist> finalists,
                                                    bool may_lack,
-                                                   const RegistrationResult* known,
-                                                   bool may_stop,
+                                                   const KnownAnswer& known,
                                                    StageClock& clock);
 
 }  // namespace posture

@@ -117,6 +117,10 @@ struct FirstMaps {
   std::shared_ptr<ChosenMap> chosen;
   std::unique_ptr<const SpectralSurface> source_coarse, target_coarse;
   std::vector<Finalist> bent;
+
+  CoarseSides coarseSides() const {
+    return {chosen->source, chosen->target, *source_coarse, *target_coarse};
+  }
 };
 
 /// The way from the surfaces to the first maps.
@@ -151,36 +155,20 @@ FirstMaps firstMaps(const GivenShape& source_given,
 
   first.source_coarse = std::make_unique<SpectralSurface>(source.shape.coarseSurface());
   first.target_coarse = std::make_unique<SpectralSurface>(target.shape.coarseSurface());
-  first.bent = bentFinalists(*first.source_coarse,
-                             *first.target_coarse,
-                             source.shape.samples,
-                             target.shape.samples,
-                             pool,
-                             clock);
+  first.bent = bentFinalists(first.coarseSides(), pool, clock);
   return first;
 }
 
 /// Chooses a map: the way from the first ones to the best of the refined ones.
-/// \param may_stop  whether to stop, before maps are refined, where the known answer stands.
-/// \return false: it stopped.
-bool chooseMap(const FirstMaps& first_maps,
-               const RegistrationResult* known,
-               bool may_stop,
-               StageClock& clock) {
+/// \return false: it stopped before maps are refined, as the known answer stands.
+bool chooseMap(const FirstMaps& first_maps, const KnownAnswer& known, StageClock& clock) {
   ChosenMap& chosen = *first_maps.chosen;
   PosedSide &source = chosen.source, &target = chosen.target;
   const SpectralSurface &source_coarse = *first_maps.source_coarse,
                         &target_coarse = *first_maps.target_coarse;
   chosen.may_lack = mayLack(source, target);
-  std::optional<std::vector<Finalist>> found = findFinalists(source,
-                                                             target,
-                                                             source_coarse,
-                                                             target_coarse,
-                                                             first_maps.bent,
-                                                             chosen.may_lack,
-                                                             known,
-                                                             may_stop,
-                                                             clock);
+  std::optional<std::vector<Finalist>> found =
+      findFinalists(first_maps.coarseSides(), first_maps.bent, chosen.may_lack, known, clock);
   if (!found) {
     clock.skip(REFINEMENT);
     return false;
@@ -229,9 +217,8 @@ bool chooseMap(const FirstMaps& first_maps,
 std::optional<Attempt> attemptFrom(const FirstMaps& first,
                                    const RegistrationOptions& options,
                                    StageClock& clock,
-                                   const RegistrationResult* known,
-                                   bool may_stop) {
-  if (!chooseMap(first, known, may_stop, clock)) return {};
+                                   const KnownAnswer& known) {
+  if (!chooseMap(first, known, clock)) return {};
   const std::shared_ptr<ChosenMap>& chosen = first.chosen;
   Attempt attempt{chosen->result, {}};
   if (chosen->result.chosen < 0) return attempt;
@@ -263,7 +250,9 @@ BegunAttempt beginAttempt(const GivenShape& source,
                                                                bool may_stop) {
     require(first->chosen != nullptr, "BegunAttempt: gone on with twice");
     const FirstMaps maps = std::move(*first);
-    return clock.within(label, [&] { return attemptFrom(maps, options, clock, known, may_stop); });
+    return clock.within(label, [&] {
+      return attemptFrom(maps, options, clock, {known, may_stop});
+    });
   };
   return begun;
 }

@@ -113,71 +113,89 @@ std::string alternatives(const RegistrationResult& result) {
   return element("table", content);
 }
 
+/// Rows that have a figure for each side.
+class SidesTable {
+ public:
+  explicit SidesTable(const RunDescription& run)
+      : content_(element("tr", row({"", "source: " + run.source, "target: " + run.target}, "th"))) {
+  }
+
+  void add(const std::string& name, const std::string& source, const std::string& target) {
+    content_ += element("tr", row({name, source, target}));
+  }
+  void count(const std::string& name, int source, int target) {
+    add(name, std::to_string(source), std::to_string(target));
+  }
+  void figure(const std::string& name, double source, double target) {
+    add(name, formatShort(source), formatShort(target));
+  }
+  std::string text() const { return element("table", content_); }
+
+ private:
+  std::string content_;
+};
+
+/// How the surfaces of sides that came as points were made.
+void addScans(const RegistrationResult& result, SidesTable& table) {
+  const auto scanRow = [&](const std::string& name, int ReconstructionSummary::*member) {
+    const auto cell = [&](const std::optional<ScanSurface>& scan) {
+      return scan ? std::to_string(scan->summary.*member) : std::string("a mesh");
+    };
+    table.add(name, cell(result.source_scan), cell(result.target_scan));
+  };
+  scanRow("Points", &ReconstructionSummary::points);
+  scanRow("Missing points", &ReconstructionSummary::missing);
+  scanRow("Outliers", &ReconstructionSummary::outliers);
+  const auto warnings = [](const std::optional<ScanSurface>& scan) {
+    std::string text;
+    if (scan)
+      for (const std::string& warning : scan->summary.warnings)
+        text += (text.empty() ? "" : "; ") + warning;
+    return text;
+  };
+  table.add("Doubts about the surface laid through them",
+            warnings(result.source_scan),
+            warnings(result.target_scan));
+}
+
 std::string shapes(const RegistrationResult& result, const RunDescription& run) {
   const ShapeSummary& a = result.source;
   const ShapeSummary& b = result.target;
-  std::string content =
-      element("tr", row({"", "source: " + run.source, "target: " + run.target}, "th"));
-  const auto add =
-      [&](const std::string& name, const std::string& source, const std::string& target) {
-        content += element("tr", row({name, source, target}));
-      };
-  const auto count = [&](const std::string& name, int source, int target) {
-    add(name, std::to_string(source), std::to_string(target));
-  };
-  if (result.source_scan || result.target_scan) {
-    const auto scanRow = [&](const std::string& name, int ReconstructionSummary::*member) {
-      const auto cell = [&](const std::optional<ScanSurface>& scan) {
-        return scan ? std::to_string(scan->summary.*member) : std::string("a mesh");
-      };
-      add(name, cell(result.source_scan), cell(result.target_scan));
-    };
-    scanRow("Points", &ReconstructionSummary::points);
-    scanRow("Missing points", &ReconstructionSummary::missing);
-    scanRow("Outliers", &ReconstructionSummary::outliers);
-    const auto warnings = [](const std::optional<ScanSurface>& scan) {
-      std::string text;
-      if (scan)
-        for (const std::string& warning : scan->summary.warnings)
-          text += (text.empty() ? "" : "; ") + warning;
-      return text;
-    };
-    add("Doubts about the surface laid through them",
-        warnings(result.source_scan),
-        warnings(result.target_scan));
-  }
-  count("Vertices", a.vertices, b.vertices);
-  count("Faces", a.faces, b.faces);
-  count("Vertices at seams, joined with others nearby",
-        a.denoising.seam_vertices,
-        b.denoising.seam_vertices);
-  count("Vertices far from their neighbours, set back", a.denoising.spikes, b.denoising.spikes);
-  count(
+  SidesTable table(run);
+  if (result.source_scan || result.target_scan) addScans(result, table);
+  table.count("Vertices", a.vertices, b.vertices);
+  table.count("Faces", a.faces, b.faces);
+  table.count("Vertices at seams, joined with others nearby",
+              a.denoising.seam_vertices,
+              b.denoising.seam_vertices);
+  table.count(
+      "Vertices far from their neighbours, set back", a.denoising.spikes, b.denoising.spikes);
+  table.count(
       "Rounds of smoothing noise away", a.denoising.smoothing_rounds, b.denoising.smoothing_rounds);
-  count(
+  table.count(
       "Unreferenced vertices", a.cleaning.unreferenced_vertices, b.cleaning.unreferenced_vertices);
-  count("Welded vertices", a.cleaning.welded_vertices, b.cleaning.welded_vertices);
-  count("Degenerate faces", a.cleaning.degenerate_faces, b.cleaning.degenerate_faces);
-  count("Repeated faces", a.cleaning.repeated_faces, b.cleaning.repeated_faces);
-  count("Faces turned round", a.cleaning.flipped_faces, b.cleaning.flipped_faces);
-  count("Non-manifold edges", a.cleaning.non_manifold_edges, b.cleaning.non_manifold_edges);
-  count("Connected parts", a.cleaning.components, b.cleaning.components);
-  count("Vertices off the main surface", a.cleaning.loose_vertices, b.cleaning.loose_vertices);
-  count("Vertices of the main surface", a.clean_vertices, b.clean_vertices);
-  count("Boundary edges", a.boundary_edges, b.boundary_edges);
-  count("Holes closed for the search", a.patched_holes, b.patched_holes);
-  count("Pieces joined for the search", a.joined_pieces, b.joined_pieces);
-  count("Contacts cut open", a.parted_contacts, b.parted_contacts);
-  count("Vertices added for the search", a.added_vertices, b.added_vertices);
-  add("Area", formatShort(a.area), formatShort(b.area));
+  table.count("Welded vertices", a.cleaning.welded_vertices, b.cleaning.welded_vertices);
+  table.count("Degenerate faces", a.cleaning.degenerate_faces, b.cleaning.degenerate_faces);
+  table.count("Repeated faces", a.cleaning.repeated_faces, b.cleaning.repeated_faces);
+  table.count("Faces turned round", a.cleaning.flipped_faces, b.cleaning.flipped_faces);
+  table.count("Non-manifold edges", a.cleaning.non_manifold_edges, b.cleaning.non_manifold_edges);
+  table.count("Connected parts", a.cleaning.components, b.cleaning.components);
+  table.count(
+      "Vertices off the main surface", a.cleaning.loose_vertices, b.cleaning.loose_vertices);
+  table.count("Vertices of the main surface", a.clean_vertices, b.clean_vertices);
+  table.count("Boundary edges", a.boundary_edges, b.boundary_edges);
+  table.count("Holes closed for the search", a.patched_holes, b.patched_holes);
+  table.count("Pieces joined for the search", a.joined_pieces, b.joined_pieces);
+  table.count("Contacts cut open", a.parted_contacts, b.parted_contacts);
+  table.count("Vertices added for the search", a.added_vertices, b.added_vertices);
+  table.figure("Area", a.area, b.area);
   if (std::min(a.compared_share, b.compared_share) < 1)
-    add("Share of it compared, as the other side is a piece",
-        formatShort(a.compared_share),
-        formatShort(b.compared_share));
-  add("Mean edge length", formatShort(a.mean_edge_length), formatShort(b.mean_edge_length));
-  count("Samples", a.samples, b.samples);
-  add("Stress of the canonical form", formatShort(a.stress), formatShort(b.stress));
-  return element("table", content);
+    table.figure(
+        "Share of it compared, as the other side is a piece", a.compared_share, b.compared_share);
+  table.figure("Mean edge length", a.mean_edge_length, b.mean_edge_length);
+  table.count("Samples", a.samples, b.samples);
+  table.figure("Stress of the canonical form", a.stress, b.stress);
+  return table.text();
 }
 
 std::string list(const std::vector<std::pair<std::string, std::string>>& entries) {
