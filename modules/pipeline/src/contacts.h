@@ -13,6 +13,13 @@ struct PartedSurface {
   int contacts = 0;  ///< cut; 0: nothing seems grown together
 };
 
+/// The main surfaces of both sides.
+struct PartedSides {
+  PartedSurface source, target;
+
+  bool any() const { return source.contacts + target.contacts > 0; }
+};
+
 /// Contacts are looked for where the surface has a handle with a long way around: the narrowest
 /// ring of edges that opens it. Whether scanning made the handle or the body has it, and whether it
 /// is narrowest where it is grown together, is for the maps to tell. Ten handles are opened at

@@ -45,28 +45,26 @@ class FinalistSearch {
 
   /// Those that take tips of limbs to tips of limbs; then those that lay ends as they fit.
   void addTips() {
-    clock_.stage("tips", 0.03, [&] {
+    run("tips", [&] {
       found_ = joined(std::move(found_),
                       registered(tipMaps(sourceSamples(), targetSamples(), MOST_TIP_MAPS)));
       bendFurther(sides_.source, sides_.target, found_);
       exchangeParts(sides_.source, sides_.target, gap(), found_);
       layEndsAsTheyFit();
     });
-    lookAgain();
   }
 
   /// A part that the other side lacks is squeezed onto what there is, and leads what is next to it
   /// astray.
   void letGo() {
-    clock_.stage("letting go", 0.03, [&] {
+    run("letting go", [&] {
       const std::vector<int> different = distinct();
       found_ = withPartsLetGo(sides_.source, sides_.target, different, std::move(found_));
     });
-    lookAgain();
   }
 
   void growAnew() {
-    clock_.stage("growing anew", 0.03, [&] {
+    run("growing anew", [&] {
       const std::vector<int> different = distinct();
       found_ =
           withPartsGrownAnew(sides_.source, sides_.target, different, gap(), std::move(found_));
@@ -74,7 +72,7 @@ class FinalistSearch {
   }
 
   void turn() {
-    clock_.stage("turning", 0.03, [&] {
+    run("turning", [&] {
       const std::vector<int> different = distinct();
       found_ = withTurned(sides_.source,
                           sides_.target,
@@ -87,7 +85,7 @@ class FinalistSearch {
   }
 
   void layOver() {
-    clock_.stage("laying over", 0.03, [&] {
+    run("laying over", [&] {
       found_ = joined(std::move(found_),
                       layFinalists(sides_.source,
                                    sides_.target,
@@ -105,6 +103,13 @@ class FinalistSearch {
 
   std::vector<Finalist> registered(const std::vector<SampleMap>& maps) const {
     return registerFinalists(sides_.source, sides_.target, sourceSamples(), targetSamples(), maps);
+  }
+
+  template <class Change>
+  void run(const char* stage, const Change& change) {
+    constexpr double PORTION = 0.03;
+    clock_.stage(stage, PORTION, change);
+    lookAgain();
   }
 
   void lookAgain() {

@@ -35,8 +35,9 @@ struct KnownAnswer {
 /// The stages from tips to laying over: what else is found where the bent maps do not tell.
 /// \param finalists  bentFinalists().
 /// \param may_lack  whether a side may lack a part that the other one has.
-/// \return  maps between the coarse surfaces, by increasing score; nothing: the known answer
-/// stands. \throws std::runtime_error  a surface cannot be bent (Arap)
+/// \return  maps between the coarse surfaces, by increasing score; none: the known answer stands
+///
+/// \throws std::runtime_error  a surface cannot be bent (Arap)
 std::optional<std::vector<Finalist>> findFinalists(const CoarseSides& sides,
                                                    std::vector<Finalist> finalists,
                                                    bool may_lack,

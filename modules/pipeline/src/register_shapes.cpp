@@ -51,6 +51,27 @@ double shareInPieces(const CleanMesh& clean) {
   return pieces / (pieces + surfaceArea(clean.mesh));
 }
 
+GivenShape cutOpen(const GivenShape& shape, const PartedSurface& parted) {
+  return {shape.input, parted.clean, shape.patch_vertices};
+}
+
+/// An attempt at surfaces that are cut open, with the summaries of all of them.
+Attempt ofParted(Attempt attempt,
+                 const GivenShape& source,
+                 const GivenShape& target,
+                 const PartedSides& parted) {
+  return withChange(std::move(attempt),
+                    [of_source = summarize(source),
+                     of_target = summarize(target),
+                     a = parted.source.contacts,
+                     b = parted.target.contacts](RegistrationResult& result) {
+                      result.source = withMeasured(of_source, result.source);
+                      result.target = withMeasured(of_target, result.target);
+                      result.source.parted_contacts = a;
+                      result.target.parted_contacts = b;
+                    });
+}
+
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted:
 /// the better map tells, the first ones already where they decide.
 /// \param known  see BegunAttempt::goOn.
@@ -61,22 +82,19 @@ std::optional<Attempt> registerWhole(const GivenShape& source,
                                      double portion,
                                      const RegistrationResult* known,
                                      StageClock& clock) {
-  const auto [source_parted, target_parted] = clock.stage("contacts", 0, [&] {
-    return std::pair(partedSurface(source.input, source.clean),
-                     partedSurface(target.input, target.clean));
+  const PartedSides parted_sides = clock.stage("contacts", 0, [&] {
+    return PartedSides{partedSurface(source.input, source.clean),
+                       partedSurface(target.input, target.clean)};
   });
-  const bool any = source_parted.contacts + target_parted.contacts > 0;
+  const bool any = parted_sides.any();
   const BegunAttempt whole = clock.within({"", any ? portion / 2 : portion}, [&] {
     return beginAttempt(source, target, options, clock);
   });
   if (!any) return whole.goOn(known, true);
-  const std::optional<BegunAttempt> parted = clock.tryAttempt(
-      "parted", portion / 2, [&, &a = source_parted.clean, &b = target_parted.clean] {
-        return beginAttempt({source.input, a, source.patch_vertices},
-                            {target.input, b, target.patch_vertices},
-                            options,
-                            clock);
-      });
+  const std::optional<BegunAttempt> parted = clock.tryAttempt("parted", portion / 2, [&] {
+    return beginAttempt(
+        cutOpen(source, parted_sides.source), cutOpen(target, parted_sides.target), options, clock);
+  });
   std::optional<Attempt> as_given, other;
   const auto isConvincing = [](const std::optional<Attempt>& attempt) {
     return attempt && looksAlike(attempt->found);
@@ -92,16 +110,7 @@ std::optional<Attempt> registerWhole(const GivenShape& source,
       (!other || (as_given->found.chosen >= 0 &&
                   scoreApartFromHands(*other) > scoreApartFromHands(*as_given) - SCORE_NOISE)))
     return as_given;
-  Attempt cut = withChange(std::move(*other),
-                           [of_source = summarize(source),
-                            of_target = summarize(target),
-                            a = source_parted.contacts,
-                            b = target_parted.contacts](RegistrationResult& result) {
-                             result.source = withMeasured(of_source, result.source);
-                             result.target = withMeasured(of_target, result.target);
-                             result.source.parted_contacts = a;
-                             result.target.parted_contacts = b;
-                           });
+  Attempt cut = ofParted(std::move(*other), source, target, parted_sides);
   cut.finish = [finish = std::move(cut.finish), whole, as_given = std::move(as_given), &clock] {
     std::optional<RegistrationResult> result = clock.tryTo(finish);
     return result ? std::move(*result)
