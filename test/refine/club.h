@@ -42,8 +42,8 @@ inline TriangleMesh clubWithHand(double thumb = 0.8, int subdivisions = 4) {
 }
 
 /// A body with a left hand at one end and a right hand at the other. Of an area of one.
-inline TriangleMesh bodyWithTwoHands(double thumb) {
-  TriangleMesh mesh = sphere(5);
+inline TriangleMesh bodyWithTwoHands(double thumb, int subdivisions = 5) {
+  TriangleMesh mesh = sphere(subdivisions);
   for (auto p : mesh.vertices.rowwise()) {
     const double end = std::copysign(1, p.x());
     p.x() = std::abs(p.x());
