@@ -166,7 +166,7 @@ DiagnosticStatus outcome(const RegistrationResult& result,
   const bool registered = result.status == Status::REGISTERED;
   DiagnosticStatus message =
       status(registered ? DiagnosticStatus::OK : DiagnosticStatus::WARN, result.message);
-  const std::size_t points = result.correspondence.on_target.size();
+  const long points = presentCount(result);
   add(message, "status", registered ? "registered" : "undecided");
   if (!result.alternatives.empty()) add(message, "trust", formatFixed(result.trust, 3));
   add(message, "source points", std::to_string(points));

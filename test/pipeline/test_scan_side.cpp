@@ -30,6 +30,7 @@ struct Scan {
     scan.mesh = surface.mesh;
     scan.on_mesh.assign(4, {});
     scan.offset = Vector::Zero(4);
+    scan.summary.missing = 1;
     for (int i : {0, 3}) scan.on_mesh[i] = placeOf(shape.cloud.points.row(i));
     surface.scan = std::move(scan);
   }
@@ -100,7 +101,7 @@ TEST(ReferToPoints, aScannedSourceHasARowForEachPoint) {
   EXPECT_TRUE(result.deformed.row(1).allFinite()) << "an outlier moves with what is near";
   EXPECT_TRUE(result.deformed.row(2).array().isNaN().all());
   EXPECT_EQ(result.surface_deformed.rows(), 9);
-  EXPECT_EQ(result.message, "2 of 4 source points have a counterpart (50.0 %)");
+  EXPECT_EQ(result.message, "2 of 3 source points have a counterpart (66.7 %)");
 }
 
 TEST(ReferToPoints, aPointWhoseFaceLeadsPartlyNowhereGoesWhereItsVertexGoes) {

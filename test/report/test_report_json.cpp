@@ -57,6 +57,16 @@ TEST(ReportJson, runsDifferInTheLastObjectAlone) {
   EXPECT_EQ(a, b);
 }
 
+TEST(ReportJson, pointsThatAreMissingCountForNothing) {
+  RegistrationResult result = test::sampleResult();
+  result.source_scan.emplace();
+  result.source_scan->summary.missing = 1;
+  const auto trust = nlohmann::json::parse(reportJson(result, {})).at("trust");
+  EXPECT_EQ(trust.at("source_vertices"), 3);
+  EXPECT_EQ(trust.at("accepted_vertices"), 3);
+  EXPECT_EQ(trust.at("accepted_share"), 1.0);
+}
+
 TEST(ReportJson, emptyResult) {
   RegistrationResult nothing;
   const auto report = nlohmann::json::parse(reportJson(nothing, {}));

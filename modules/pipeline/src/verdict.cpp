@@ -69,11 +69,10 @@ std::string percent(double share) {
 }  // namespace
 
 std::string mappedMessage(const RegistrationResult& result) {
-  const auto& places = result.correspondence.on_target;
-  const long mapped = mappedCount(places);
-  return std::to_string(mapped) + " of " + std::to_string(places.size()) +
+  const long mapped = mappedCount(result.correspondence.on_target), all = presentCount(result);
+  return std::to_string(mapped) + " of " + std::to_string(all) +
          (result.source_scan ? " source points" : " source vertices") + " have a counterpart (" +
-         percent(static_cast<double>(mapped) / static_cast<double>(places.size())) + ")";
+         percent(static_cast<double>(mapped) / static_cast<double>(all)) + ")";
 }
 
 double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& other) {

@@ -8,7 +8,7 @@
 
 namespace posture {
 
-/// How many of the source's vertices, or points, have a counterpart, in words.
+/// How many of the source's vertices, or points that are there, have a counterpart, in words.
 std::string mappedMessage(const RegistrationResult& result);
 
 /// Sets status and message from the chosen hypothesis: two bodies are called the same one when

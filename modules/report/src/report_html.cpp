@@ -40,12 +40,11 @@ std::string headline(const RegistrationResult& result) {
 }
 
 std::string figures(const RegistrationResult& result) {
-  const auto& places = result.correspondence.on_target;
-  const long accepted = mappedCount(places);
-  const double share = places.empty() ? 0 : 100.0 * double(accepted) / double(places.size());
+  const long accepted = mappedCount(result.correspondence.on_target), all = presentCount(result);
+  const double share = all == 0 ? 0 : 100.0 * double(accepted) / double(all);
   std::vector<std::vector<std::string>> rows = {
       {"Source vertices with a counterpart",
-       std::to_string(accepted) + " of " + std::to_string(places.size()) + " (" +
+       std::to_string(accepted) + " of " + std::to_string(all) + " (" +
            formatFixed(share, 1) + " %)"},
       {"A source length times this is a target length", formatShort(result.scale)}};
   if (!result.hypotheses.empty()) {

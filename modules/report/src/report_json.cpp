@@ -123,14 +123,13 @@ bool isPublished(const RegistrationResult& result) { return !result.hypotheses.e
 
 /// The figures that tell how far to trust the result.
 Json describeTrust(const RegistrationResult& result) {
-  const auto& places = result.correspondence.on_target;
-  const long accepted = mappedCount(places);
+  const long accepted = mappedCount(result.correspondence.on_target), all = presentCount(result);
   double confidence = 0;
   for (Eigen::Index i = 0; i < result.correspondence.confidence.size(); ++i)
     confidence += result.correspondence.confidence(i);
-  Json trust = {{"source_vertices", places.size()},
+  Json trust = {{"source_vertices", all},
                 {"accepted_vertices", accepted},
-                {"accepted_share", share(double(accepted), double(places.size()))},
+                {"accepted_share", share(double(accepted), double(all))},
                 {"mean_confidence_of_accepted", share(confidence, double(accepted))}};
   if (isPublished(result)) trust["runner_up_energy_ratio"] = number(runnerUpRatio(result));
   if (!result.alternatives.empty()) {

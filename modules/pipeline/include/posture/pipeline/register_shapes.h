@@ -129,6 +129,12 @@ struct RegistrationResult {
   std::vector<StageTiming> timings;
 };
 
+/// The rows of the correspondence whose vertices or points are there: all but missing points.
+inline long presentCount(const RegistrationResult& result) {
+  const auto rows = static_cast<long>(result.correspondence.on_target.size());
+  return result.source_scan ? rows - result.source_scan->summary.missing : rows;
+}
+
 /// The vertices of a mesh as they were registered; the points of a cloud.
 /// \param denoised  of this side, in the result.
 inline const Points& registeredPoints(const Shape& given, const Points& denoised) {
