@@ -30,8 +30,7 @@ bool looksOutward(const CleanMesh& clean) {
 
 TEST(CleanSides, takesAMeshThatDoesNotTellForInsideOutWhereTheOtherOneIs) {
   for (bool source_is_half : {false, true}) {
-    SideSurface source{ball(source_is_half, true), {}, {}},
-        target{ball(!source_is_half, true), {}, {}};
+    SideSurface source(ball(source_is_half, true)), target(ball(!source_is_half, true));
     const CleanSides clean = cleanSides(source, target);
     EXPECT_TRUE(looksOutward(clean.source));
     EXPECT_TRUE(looksOutward(clean.target));
@@ -40,26 +39,26 @@ TEST(CleanSides, takesAMeshThatDoesNotTellForInsideOutWhereTheOtherOneIs) {
 
 TEST(CleanSides, leavesAMeshThatDoesNotTellWhereTheOtherOneLooksOutward) {
   for (bool inside_out : {false, true}) {
-    SideSurface source{ball(true, inside_out), {}, {}}, target{ball(false, false), {}, {}};
+    SideSurface source(ball(true, inside_out)), target(ball(false, false));
     EXPECT_EQ(looksOutward(cleanSides(source, target).source), !inside_out);
   }
 }
 
 TEST(CleanSides, leavesTwoThatDoNotTellAsTheyAre) {
-  SideSurface source{ball(true, true), {}, {}}, target{ball(true, false), {}, {}};
+  SideSurface source(ball(true, true)), target(ball(true, false));
   const CleanSides clean = cleanSides(source, target);
   EXPECT_FALSE(looksOutward(clean.source));
   EXPECT_TRUE(looksOutward(clean.target));
 }
 
 TEST(CleanSides, doesNotTurnAMeshForTheSurfaceOfACloud) {
-  SideSurface source{ball(true, false), {}, {}}, target{ball(false, true), {}, {}};
+  SideSurface source(ball(true, false)), target(ball(false, true));
   source.scan.emplace();
   EXPECT_TRUE(looksOutward(cleanSides(source, target).source));
 }
 
 TEST(CleanSides, namesTheSideThatCannotBeMeasured) {
-  SideSurface good{ball(false, false), {}, {}}, large = good;
+  SideSurface good(ball(false, false)), large = good;
   large.mesh.vertices *= 1e100;
   const std::string why = " has coordinates too large to compute with";
   EXPECT_EQ(test::inputErrorOf([&] { cleanSides(large, good); }), "source" + why);

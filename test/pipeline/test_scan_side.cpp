@@ -76,7 +76,7 @@ TEST(ReferToPoints, aScannedSourceHasARowForEachPoint) {
   const Scan scan;
   RegistrationResult result = identity(scan.surface.mesh);
   const Correspondence vertices = result.correspondence;
-  referToPoints(scan.shape, {}, scan.surface, {scan.surface.mesh, std::nullopt, {}}, result);
+  referToPoints(scan.shape, {}, scan.surface, SideSurface(scan.surface.mesh), result);
   const auto& on_target = result.correspondence.on_target;
   ASSERT_EQ(on_target.size(), 4U);
   const TriangleMesh& mesh = scan.surface.mesh;
@@ -111,7 +111,7 @@ TEST(ReferToPoints, aPointWhoseFaceLeadsPartlyNowhereGoesWhereItsVertexGoes) {
     RegistrationResult result = identity(scan.surface.mesh);
     for (int corner : scan.surface.mesh.faces.row(at.face))
       if ((corner == at.vertex) == nearest) result.correspondence.on_target[corner] = {};
-    referToPoints(scan.shape, {}, scan.surface, {scan.surface.mesh, std::nullopt, {}}, result);
+    referToPoints(scan.shape, {}, scan.surface, SideSurface(scan.surface.mesh), result);
     EXPECT_EQ(result.correspondence.on_target[0].vertex, nearest ? -1 : at.vertex);
   }
 }
@@ -120,7 +120,7 @@ TEST(ReferToPoints, verticesOfAScannedTargetAreItsNearestPoints) {
   const Scan scan;
   RegistrationResult result = identity(scan.surface.mesh);
   result.correspondence.on_target[4] = {};
-  referToPoints({}, scan.shape, {scan.surface.mesh, std::nullopt, {}}, scan.surface, result);
+  referToPoints({}, scan.shape, SideSurface(scan.surface.mesh), scan.surface, result);
   const TriangleMesh& mesh = scan.surface.mesh;
   ASSERT_EQ(result.correspondence.on_target.size(), 9U);
   for (int v = 0; v < 9; ++v) {

@@ -11,7 +11,10 @@ namespace {
 CleanMesh cleanSide(const std::string& side, SideSurface& surface) {
   try {
     if (!surface.scan) surface.denoising = denoise(surface.mesh);
-    return cleanMesh(surface.mesh);
+    surface.background = leaveOutBackground(surface.mesh);
+    CleanMesh clean = cleanMesh(surface.mesh);
+    clean.summary.degenerate_faces -= surface.background.faces;
+    return clean;
   } catch (const InputError& error) {
     throw InputError(side + " " + error.what());
   }

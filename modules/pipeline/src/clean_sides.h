@@ -15,10 +15,10 @@ struct CleanSides {
   CleanMesh source, target;
 };
 
-/// cleanMesh, naming the side ("source") in what it throws. A mesh as it was given is denoised
-/// first; the surface of a cloud was laid through denoised points. Of two meshes as they were
-/// given, one that does not tell its outside is taken to be inside out where the other one is:
-/// files of one origin look the same way.
+/// cleanMesh without the background, naming the side ("source") in what it throws. A mesh as it was
+/// given is denoised first; the surface of a cloud was laid through denoised points. Of two meshes
+/// as they were given, one that does not tell its outside is taken to be inside out where the other
+/// one is: files of one origin look the same way.
 CleanSides cleanSides(SideSurface& source, SideSurface& target);
 
 std::vector<StagePicture> cleaningPictures(const CleanMesh& source, const CleanMesh& target);

@@ -276,9 +276,10 @@ RegistrationResult registerMeshes(const GivenShape& source,
   return bestAttempt(std::move(attempts), target.input, options, clock);
 }
 
-/// What cleanSides() did to a mesh before its shape was measured.
-void noteDenoising(const SideSurface& side, ShapeSummary& summary, Points& denoised) {
+/// What cleanSides() did to a side before its shape was measured.
+void notePreparation(const SideSurface& side, ShapeSummary& summary, Points& denoised) {
   summary.denoising = side.denoising;
+  summary.background_faces = side.background.faces;
   if (side.denoising.movedAny()) denoised = side.mesh.vertices;
 }
 
@@ -291,8 +292,10 @@ RegistrationResult registerSurfaces(SideSurface& source,
   clock.show([&] { return cleaningPictures(clean.source, clean.target); });
   RegistrationResult result =
       registerMeshes({source.mesh, clean.source}, {target.mesh, clean.target}, options, clock);
-  noteDenoising(source, result.source, result.source_denoised);
-  noteDenoising(target, result.target, result.target_denoised);
+  notePreparation(source, result.source, result.source_denoised);
+  notePreparation(target, result.target, result.target_denoised);
+  dropBackground(source.background, source.mesh.vertices, target.background, result);
+  if (result.status == Status::REGISTERED) result.message = mappedMessage(result);
   return result;
 }
 
@@ -303,7 +306,7 @@ RegistrationResult registerShapes(const TriangleMesh& source,
                                   const RegistrationOptions& options,
                                   const Observer& observer) {
   StageClock clock(observer);
-  SideSurface source_surface{source, {}, {}}, target_surface{target, {}, {}};
+  SideSurface source_surface(source), target_surface(target);
   RegistrationResult result = registerSurfaces(source_surface, target_surface, options, clock);
   result.timings = clock.timings();
   return result;

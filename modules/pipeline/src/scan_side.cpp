@@ -133,7 +133,7 @@ Points movedPoints(const TriangleMesh& surface, const Points& deformed, const Po
 }  // namespace
 
 SideSurface surfaceOf(const std::string& side, const Shape& shape, SurfaceMethod method) {
-  if (shape.faces.rows() > 0) return {{shape.cloud.points, shape.faces}, std::nullopt, {}};
+  if (shape.faces.rows() > 0) return SideSurface({shape.cloud.points, shape.faces});
   try {
     SideSurface surface;
     surface.scan = reconstruct(shape.cloud, {method});
@@ -167,7 +167,7 @@ void referToPoints(const Shape& source,
     const ScanSurface& scan = *source_surface.scan;
     for (std::vector<int>* map : vertex_maps) *map = perPoint(scan, *map);
     result.surface_deformed = std::move(result.deformed);
-    result.deformed = movedPoints(source_surface.mesh, result.surface_deformed, source.cloud);
+    result.deformed = movedPoints(scan.mesh, result.surface_deformed, source.cloud);
   }
   if (target_surface.scan) {
     const CloudPoints points(target.cloud, *target_surface.scan);

@@ -3,6 +3,7 @@
 #include <posture/core/error.h>
 #include <posture/pipeline/segment_shape.h>
 
+#include "leave_out_background.h"
 #include <cmath>
 
 namespace posture {
@@ -31,9 +32,10 @@ std::vector<double> residuals(const RigidSegments& parts,
 ShapeSegments segmentShape(const Shape& source, const std::vector<RegistrationResult>& poses) {
   require(!poses.empty(), "segmentShape: no pose");
   const std::optional<ScanSurface>& scan = poses.front().source_scan;
-  const TriangleMesh rest =
+  TriangleMesh rest =
       scan ? scan->mesh
            : TriangleMesh{registeredPoints(source, poses.front().source_denoised), source.faces};
+  const Background background = leaveOutBackground(rest);
   ShapeSegments segments;
   segments.surface = cleanMesh(rest);
   const CleanMesh& surface = segments.surface;
@@ -47,7 +49,10 @@ ShapeSegments segmentShape(const Shape& source, const std::vector<RegistrationRe
   for (std::size_t k = 0; k < places.size(); ++k)
     segments.residual.push_back(residuals(segments.parts, k, surface.mesh.vertices, places[k]));
 
-  const auto labelOf = [&](int v) { return segments.parts.label[surface.clean_vertex[v]]; };
+  const auto labelOf = [&](int v) {
+    const bool is_behind = !background.vertices.empty() && background.vertices[v] != 0;
+    return is_behind ? -1 : segments.parts.label[surface.clean_vertex[v]];
+  };
   if (scan)
     for (const SurfacePoint& at : scan->on_mesh)
       segments.label.push_back(at.vertex >= 0 ? labelOf(at.vertex) : -1);

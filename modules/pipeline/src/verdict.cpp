@@ -66,13 +66,22 @@ std::string percent(double share) {
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " %";
 }
 
+std::string backgroundMessage(const RegistrationResult& result) {
+  const bool source = result.source.background_faces > 0,
+             target = result.target.background_faces > 0;
+  if (!source && !target) return "";
+  const std::string side = source && target ? "source and target" : source ? "source" : "target";
+  return "; a floor or wall in the " + side + " is left out";
+}
+
 }  // namespace
 
 std::string mappedMessage(const RegistrationResult& result) {
   const long mapped = mappedCount(result.correspondence.on_target), all = presentCount(result);
   return std::to_string(mapped) + " of " + std::to_string(all) +
          (result.source_scan ? " source points" : " source vertices") + " have a counterpart (" +
-         percent(static_cast<double>(mapped) / static_cast<double>(all)) + ")";
+         percent(static_cast<double>(mapped) / static_cast<double>(all)) + ")" +
+         backgroundMessage(result);
 }
 
 double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& other) {

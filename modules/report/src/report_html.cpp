@@ -44,8 +44,8 @@ std::string figures(const RegistrationResult& result) {
   const double share = all == 0 ? 0 : 100.0 * double(accepted) / double(all);
   std::vector<std::vector<std::string>> rows = {
       {"Source vertices with a counterpart",
-       std::to_string(accepted) + " of " + std::to_string(all) + " (" +
-           formatFixed(share, 1) + " %)"},
+       std::to_string(accepted) + " of " + std::to_string(all) + " (" + formatFixed(share, 1) +
+           " %)"},
       {"A source length times this is a target length", formatShort(result.scale)}};
   if (!result.hypotheses.empty()) {
     rows.push_back({"Energy of the runner-up over that of the chosen candidate",
@@ -171,6 +171,7 @@ std::string shapes(const RegistrationResult& result, const RunDescription& run) 
       "Vertices far from their neighbours, set back", a.denoising.spikes, b.denoising.spikes);
   table.count(
       "Rounds of smoothing noise away", a.denoising.smoothing_rounds, b.denoising.smoothing_rounds);
+  table.count("Faces of a floor or a wall, left out", a.background_faces, b.background_faces);
   table.count(
       "Unreferenced vertices", a.cleaning.unreferenced_vertices, b.cleaning.unreferenced_vertices);
   table.count("Welded vertices", a.cleaning.welded_vertices, b.cleaning.welded_vertices);

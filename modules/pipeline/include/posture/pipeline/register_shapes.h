@@ -82,6 +82,8 @@ struct ShapeSummary {
   int vertices = 0;  ///< as given
   int faces = 0;
   Denoising denoising;  ///< of a mesh; the surface of a cloud is of denoised points
+  /// Of a floor, a table, a wall behind the body, that were left out: see backgroundFaces().
+  int background_faces = 0;
   CleaningSummary cleaning;
   int clean_vertices = 0;
   int boundary_edges = 0;

@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/rng.h>
+#include <posture/mesh/background.h>
+#include <posture/mesh/edges.h>
+#include <posture/mesh/require_mesh.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace posture {
+namespace {
+
+/// Lengths are in square roots of the area, areas as shares of it.
+constexpr int SAMPLES = 4096, SEEDS = 256;
+
+/// How far around a seed a plane is begun with, and how far from it such a plane may be.
+constexpr double SEED_RADIUS = 0.06, SEED_REACH = 0.005;
+
+/// What a scanner makes of a plane is at least as thick as this.
+constexpr double LEAST_REACH = 0.002;
+
+/// Three deviations of vertices, of which places in faces have 1 / sqrt(2).
+constexpr double THICKNESS = 3 * 1.4142135623730951;
+
+/// Of the area: smaller planes are parts of bodies, or hardly matter.
+constexpr double LEAST_PLANE = 0.05;
+
+/// The same, of what is in none of the planes: without it there is no body.
+constexpr double LEAST_BODY = 0.01;
+
+constexpr int MOST_PLANES = 4;
+
+/// Cosine: faces in a plane look that much along its normal.
+constexpr double ALONG_NORMAL = 0.7;
+
+/// Evenly over the area, in a unit in which that is one.
+struct AreaSamples {
+  explicit AreaSamples(const TriangleMesh& mesh);
+
+  Points points, normals;
+};
+
+AreaSamples::AreaSamples(const TriangleMesh& mesh)
+    : points(Points::Zero(SAMPLES, 3)), normals(Points::Zero(SAMPLES, 3)) {
+  const Vector areas = faceAreas(mesh);
+  const double total = areas.sum(), unit = 1 / std::sqrt(total);
+  Rng rng(1);
+  double before = 0;
+  int sample = 0;
+  for (int f = 0; f < mesh.faces.rows(); ++f) {
+    const double after = before + areas[f];
+    const Eigen::RowVector3d a = mesh.vertices.row(mesh.faces(f, 0)),
+                             ab = mesh.vertices.row(mesh.faces(f, 1)) - a,
+                             ac = mesh.vertices.row(mesh.faces(f, 2)) - a;
+    const Eigen::RowVector3d normal = ab.cross(ac).normalized();
+    for (; sample < SAMPLES && (sample + 0.5) * total < after * SAMPLES; ++sample) {
+      double u = rng.uniform(), v = rng.uniform();
+      if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+      }
+      points.row(sample) = unit * (a + u * ab + v * ac);
+      normals.row(sample) = normal;
+    }
+    before = after;
+  }
+  points.conservativeResize(sample, 3);
+  normals.conservativeResize(sample, 3);
+}
+
+struct Plane {
+  Eigen::RowVector3d normal = Eigen::RowVector3d::Zero();
+  double offset = 0;
+  double reach = SEED_REACH;  ///< what lies as far from it is in it
+
+  double height(const Eigen::RowVector3d& point) const { return point.dot(normal) - offset; }
+
+  bool holds(const AreaSamples& samples, int i) const {
+    return std::abs(height(samples.points.row(i))) <= reach &&
+           std::abs(samples.normals.row(i).dot(normal)) > ALONG_NORMAL;
+  }
+};
+
+/// The plane that fits some samples best, and how far they are from it (root of the mean square).
+std::pair<Plane, double> fitPlane(const AreaSamples& samples, const std::vector<int>& some) {
+  const Points points = samples.points(some, Eigen::all);
+  const Eigen::RowVector3d mean = points.colwise().mean();
+  const Points about = points.rowwise() - mean;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> moments(about.transpose() * about);
+  Plane plane;
+  plane.normal = moments.eigenvectors().col(0).transpose();
+  plane.offset = mean.dot(plane.normal);
+  const double sum = std::max(0.0, moments.eigenvalues()[0]);
+  return {plane, std::sqrt(sum / static_cast<double>(some.size()))};
+}
+
+std::vector<int> heldBy(const Plane& plane,
+                        const AreaSamples& samples,
+                        const std::vector<int>& among) {
+  std::vector<int> held;
+  std::copy_if(among.begin(), among.end(), std::back_inserter(held), [&](int i) {
+    return plane.holds(samples, i);
+  });
+  return held;
+}
+
+/// The plane through a sample and what is near it, if that is flat.
+std::optional<Plane> planeAround(int seed,
+                                 const AreaSamples& samples,
+                                 const std::vector<int>& among) {
+  std::vector<int> near;
+  const Eigen::RowVector3d center = samples.points.row(seed);
+  std::copy_if(among.begin(), among.end(), std::back_inserter(near), [&](int i) {
+    return (samples.points.row(i) - center).squaredNorm() < SEED_RADIUS * SEED_RADIUS;
+  });
+  constexpr std::size_t ENOUGH = 8;
+  if (near.size() < ENOUGH) return std::nullopt;
+  const auto [plane, scatter] = fitPlane(samples, near);
+  return scatter < SEED_REACH ? std::optional(plane) : std::nullopt;
+}
+
+/// The plane that holds most of some samples, as thick as they make it; none: it holds few.
+std::optional<Plane> largestPlane(const AreaSamples& samples, const std::vector<int>& among) {
+  std::optional<Plane> best;
+  std::size_t most = 0;
+  const std::size_t step = std::max<std::size_t>(1, among.size() / SEEDS);
+  for (std::size_t k = 0; k < among.size(); k += step) {
+    const std::optional<Plane> plane = planeAround(among[k], samples, among);
+    if (!plane) continue;
+    const std::size_t held = heldBy(*plane, samples, among).size();
+    if (held <= most) continue;
+    most = held;
+    best = plane;
+  }
+  constexpr int ROUNDS = 3;
+  for (int round = 0; best && round < ROUNDS; ++round) {
+    const std::vector<int> held = heldBy(*best, samples, among);
+    if (held.size() < LEAST_PLANE * SAMPLES) return std::nullopt;
+    const auto [plane, scatter] = fitPlane(samples, held);
+    best = plane;
+    best->reach = std::max(LEAST_REACH, THICKNESS * scatter);
+  }
+  return best;
+}
+
+/// Where a point lies along a plane.
+class Along {
+ public:
+  explicit Along(const Plane& plane) {
+    x_ = plane.normal.unitOrthogonal();
+    y_ = plane.normal.cross(x_);
+  }
+  Eigen::Vector2d operator()(const Eigen::RowVector3d& point) const {
+    return {point.dot(x_), point.dot(y_)};
+  }
+
+ private:
+  Eigen::RowVector3d x_, y_;
+};
+
+/// Of the samples in a plane, those that none of the others lies over.
+double bareShare(const AreaSamples& samples, const Plane& plane, const Along& along) {
+  constexpr double CELLS = 32;  // to a unit: four samples in each of a sheet
+  using Cell = std::pair<int, int>;
+  const auto cellOf = [&](int i) {
+    const Eigen::Vector2d at = along(samples.points.row(i));
+    return Cell(static_cast<int>(std::floor(CELLS * at.x())),
+                static_cast<int>(std::floor(CELLS * at.y())));
+  };
+  std::set<Cell> covered;
+  std::vector<int> held;
+  for (int i = 0; i < samples.points.rows(); ++i) {
+    if (plane.holds(samples, i))
+      held.push_back(i);
+    else
+      covered.insert(cellOf(i));
+  }
+  const auto bare =
+      std::count_if(held.begin(), held.end(), [&](int i) { return covered.count(cellOf(i)) == 0; });
+  return static_cast<double>(bare) / static_cast<double>(held.size());
+}
+
+/// Whether a plane is found in most directions from a place along it.
+bool goesAround(const AreaSamples& samples,
+                const Plane& plane,
+                const Along& along,
+                const Eigen::Vector2d& center) {
+  constexpr int DIRECTIONS = 8, MOST_DIRECTIONS = 6;
+  constexpr double SOME = 0.02;
+  std::array<int, DIRECTIONS> count{};
+  int held = 0;
+  for (int i = 0; i < samples.points.rows(); ++i) {
+    if (!plane.holds(samples, i)) continue;
+    const Eigen::Vector2d way = along(samples.points.row(i)) - center;
+    const double turn = std::atan2(way.y(), way.x()) / (2 * M_PI) + 0.5;
+    ++count[std::min(DIRECTIONS - 1, static_cast<int>(DIRECTIONS * turn))];
+    ++held;
+  }
+  return std::count_if(count.begin(), count.end(), [&](int c) { return c > SOME * held; }) >=
+         MOST_DIRECTIONS;
+}
+
+/// Of some samples, those that lie over a plane, and not past its ends. So does a body on a floor,
+/// but what a bent sheet has to either side of where it is nearly flat does not.
+double shareOver(const AreaSamples& samples,
+                 const Plane& plane,
+                 const Along& along,
+                 const std::vector<int>& some) {
+  constexpr int DIRECTIONS = 16;
+  std::array<Eigen::Vector2d, DIRECTIONS> direction;
+  std::array<double, DIRECTIONS> end;
+  for (int k = 0; k < DIRECTIONS; ++k) {
+    const double angle = 2 * M_PI * k / DIRECTIONS;
+    direction[k] = {std::cos(angle), std::sin(angle)};
+  }
+  end.fill(-std::numeric_limits<double>::infinity());
+  for (int i = 0; i < samples.points.rows(); ++i) {
+    if (!plane.holds(samples, i)) continue;
+    const Eigen::Vector2d at = along(samples.points.row(i));
+    for (int k = 0; k < DIRECTIONS; ++k) end[k] = std::max(end[k], at.dot(direction[k]));
+  }
+  const auto over = std::count_if(some.begin(), some.end(), [&](int i) {
+    const Eigen::Vector2d at = along(samples.points.row(i));
+    for (int k = 0; k < DIRECTIONS; ++k)
+      if (at.dot(direction[k]) > end[k]) return false;
+    return true;
+  });
+  return static_cast<double>(over) / static_cast<double>(some.size());
+}
+
+/// Whether a plane is background of the samples in none of the planes. Its normal then points to
+/// them.
+bool isBehind(const AreaSamples& samples, const std::vector<int>& body, Plane& plane) {
+  constexpr double ON_ONE_SIDE = 0.9, MOSTLY_BARE = 0.5, MOSTLY_OVER = 0.5, HIGH = 10;
+  std::vector<double> heights;
+  for (int i : body) heights.push_back(plane.height(samples.points.row(i)));
+  const auto above =
+      std::count_if(heights.begin(), heights.end(), [](double height) { return height > 0; });
+  if (2 * above < static_cast<std::ptrdiff_t>(body.size())) {
+    plane.normal = -plane.normal;
+    plane.offset = -plane.offset;
+    for (double& height : heights) height = -height;
+  }
+  const auto n = static_cast<double>(body.size());
+  const auto share = [&](double least) {
+    return static_cast<double>(std::count_if(
+               heights.begin(), heights.end(), [&](double height) { return height > least; })) /
+           n;
+  };
+  if (share(-plane.reach) < ON_ONE_SIDE || share(HIGH * plane.reach) < 0.5) return false;
+  const Along along(plane);
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  for (int i : body) center += along(samples.points.row(i)) / n;
+  return bareShare(samples, plane, along) > MOSTLY_BARE &&
+         shareOver(samples, plane, along, body) > MOSTLY_OVER &&
+         goesAround(samples, plane, along, center);
+}
+
+/// The planes behind or beneath a body, with normals that point to it.
+std::vector<Plane> backgroundPlanes(const AreaSamples& samples) {
+  std::vector<Plane> planes;
+  std::vector<int> body(samples.points.rows());
+  for (std::size_t i = 0; i < body.size(); ++i) body[i] = static_cast<int>(i);
+  while (static_cast<int>(planes.size()) < MOST_PLANES) {
+    const std::optional<Plane> plane = largestPlane(samples, body);
+    if (!plane) break;
+    planes.push_back(*plane);
+    body.erase(
+        std::remove_if(body.begin(), body.end(), [&](int i) { return plane->holds(samples, i); }),
+        body.end());
+  }
+  if (body.size() < LEAST_BODY * SAMPLES) return {};
+  planes.erase(std::remove_if(planes.begin(),
+                              planes.end(),
+                              [&](Plane& plane) { return !isBehind(samples, body, plane); }),
+               planes.end());
+  return planes;
+}
+
+}  // namespace
+
+std::vector<char> backgroundFaces(const TriangleMesh& mesh) {
+  requireMesh(mesh);
+  std::vector<char> background(mesh.faces.rows(), 0);
+  const double unit = 1 / rootArea(mesh);
+  if (!std::isfinite(unit)) return background;
+  const std::vector<Plane> planes = backgroundPlanes(AreaSamples(mesh));
+  if (planes.empty()) return background;
+  const auto isBody = [&](const Plane& plane, int vertex) {
+    return plane.height(unit * mesh.vertices.row(vertex)) > plane.reach;
+  };
+  for (int f = 0; f < mesh.faces.rows(); ++f)
+    for (const Plane& plane : planes) {
+      const auto corners = mesh.faces.row(f);
+      if (std::none_of(corners.begin(), corners.end(), [&](int v) { return isBody(plane, v); }))
+        background[f] = 1;
+    }
+  return background;
+}
+
+}  // namespace posture

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/core/types.h>
+#include <posture/pipeline/register_shapes.h>
+
+#include <vector>
+
+namespace posture {
+
+/// What of a mesh was taken for a floor, a table or a wall that its body was scanned on or before.
+struct Background {
+  int faces = 0;
+  std::vector<char> vertices;  ///< n, non-zero for one in such faces alone; or empty: none is
+};
+
+/// Leaves backgroundFaces() out of a mesh: all corners of such a face become one, so that cleaning
+/// drops it and the other faces keep their numbers.
+Background leaveOutBackground(TriangleMesh& mesh);
+
+/// Vertices of the background have no counterpart, though they may have come to lie beside the
+/// other surface, and are moved as a whole, as the body is in the mean.
+/// \param at_rest  n x 3, the source's vertices.
+void dropBackground(const Background& source,
+                    const Points& at_rest,
+                    const Background& target,
+                    RegistrationResult& result);
+
+}  // namespace posture
