@@ -3,6 +3,7 @@
 #include "benchmark_pair.h"
 
 #include <posture/core/error.h>
+#include <posture/core/finite_rows.h>
 #include <posture/evaluation/statistics.h>
 #include <posture/report/peak_memory.h>
 
@@ -79,8 +80,7 @@ Json registerAndJudge(const BenchmarkPair& pair, Method method, const PairData& 
   const double seconds = data.read_seconds + secondsSince(start);
   const double memory = peakMemoryMib();
 
-  const auto& places = result.correspondence.on_target;
-  const long accepted = mappedCount(places);
+  const long accepted = mappedCount(result.correspondence.on_target);
   Json json = describePair(pair, nameOf(method));
   json["status"] = result.status == Status::REGISTERED ? "registered" : "undecided";
   json["message"] = result.message;
@@ -91,11 +91,11 @@ Json registerAndJudge(const BenchmarkPair& pair, Method method, const PairData& 
     json["score"] = result.score;
     json["hands"] = result.hands;
   }
-  json["source_vertices"] = data.source.cloud.points.rows();
-  json["target_vertices"] = data.target.cloud.points.rows();
+  json["source_vertices"] = presentCount(result);
+  json["target_vertices"] = finiteRows(data.target.cloud.points).size();
   json["samples"] = result.source.samples;
   json["accepted"] = accepted;
-  json["rejected"] = static_cast<std::ptrdiff_t>(places.size()) - accepted;
+  json["rejected"] = presentCount(result) - accepted;
   json["chosen"] = result.chosen < 0 ? Json() : Json(result.chosen);
   json["seconds"] = seconds;
   Json stages = Json::object(), further_attempts = Json::object();

@@ -154,8 +154,8 @@ Json registerAndJudge(const ComparedRun& run) {
   json["status"] = outcome.status;
   json["message"] = outcome.message;
   if (outcome.trust) json["trust"] = *outcome.trust;
-  json["source_vertices"] = data.source.cloud.points.rows();
-  json["target_vertices"] = data.target.cloud.points.rows();
+  json["source_vertices"] = finiteRows(data.source.cloud.points).size();
+  json["target_vertices"] = finiteRows(data.target.cloud.points).size();
   json["seconds"] = seconds;
   json["peak_memory_mib"] = memory;
   json["threads"] = omp_get_max_threads();

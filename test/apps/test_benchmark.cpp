@@ -24,21 +24,21 @@ namespace fs = std::filesystem;
 
 const std::string POSTURE = std::string(PROGRAM_DIR) + "/posture";
 
-/// A list of a strip bent two ways, a pair whose source is missing and a pair of points only.
+/// A list of a strip bent two ways, a pair whose source is missing and a pair of points only, every
+/// second one missing.
 class Benchmark : public testing::Test {
  protected:
   void SetUp() override {
     fs::create_directories(folder_ / "m");
     writeMesh(folder_ / "m/flat.off", test::taperedStrip(0));
     writeMesh(folder_ / "m/bent.off", test::taperedStrip(1.5));
-    std::ofstream points(folder_ / "m/points.off");
-    points << "OFF\n100 0 0\n";
-    for (int v = 0; v < 100; ++v) points << v << " " << v % 7 << " " << v % 5 << "\n";
+    std::ofstream points(folder_ / "m/points.xyz");
+    for (int v = 0; v < 100; ++v) points << v << " " << v % 7 << " " << v % 5 << "\nnan nan nan\n";
     std::ofstream(folder_ / "pairs.csv")
         << "id,family,kind,source,target,truth,mirror_truth,note\n"
            "good,strip,isometric,m/flat.off,m/bent.off,identity,,\"a strip, bent\"\n"
            "missing,strip,isometric,m/none.off,m/bent.off,identity,,\n"
-           "points,scans,scan,m/points.off,m/bent.off,,,\n";
+           "points,scans,scan,m/points.xyz,m/bent.off,,,\n";
   }
 
   test::ProgramRun benchmark(std::vector<std::string> more = {}) const {
@@ -90,6 +90,8 @@ TEST_F(Benchmark, OneBadPairDoesNotEndTheList) {
   // Points are no reason not to run.
   EXPECT_THAT(result("points")["status"], testing::AnyOf("registered", "undecided"));
   EXPECT_TRUE(result("points")["stages"].contains("surfaces"));
+  EXPECT_EQ(result("points")["source_vertices"], 100) << "the missing ones are none";
+  EXPECT_EQ(result("points")["accepted"].get<int>() + result("points")["rejected"].get<int>(), 100);
 
   const auto rows = parseCsv(test::bytesOf(out_ / "results.csv"));
   ASSERT_EQ(rows.size(), 4u);
@@ -176,10 +178,10 @@ TEST_F(Benchmark, RunsAgainWhatIsDamagedOrOfOtherInputs) {
   ASSERT_EQ(published({"--pair", "points"}).exit_code, 0);
   EXPECT_TRUE(result("points").contains("stages"));
 
-  std::ofstream(folder_ / "pairs.csv") << "id,source,target\npoints,m/other.off,m/bent.off\n";
+  std::ofstream(folder_ / "pairs.csv") << "id,source,target\npoints,m/other.xyz,m/bent.off\n";
   ASSERT_EQ(published().exit_code, 0);
-  EXPECT_THAT(result("points")["message"], HasSubstr("other.off"));
-  fs::copy(folder_ / "m/points.off", folder_ / "m/other.off");
+  EXPECT_THAT(result("points")["message"], HasSubstr("other.xyz"));
+  fs::copy(folder_ / "m/points.xyz", folder_ / "m/other.xyz");
   ASSERT_EQ(published().exit_code, 0);
   EXPECT_TRUE(result("points").contains("stages")) << "of the file as it was";
 

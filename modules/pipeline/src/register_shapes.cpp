@@ -169,8 +169,9 @@ RegistrationResult registerPatched(const GivenShape& source,
     return registerWhole(source, target, options, portion, known, clock);
   };
   if (!closed) return finished(*asGiven(many ? 0.5 : 1, nullptr));
-  if (std::optional<Attempt> as_given = asGiven(0.5, &closed->found))
-    return bestOfBoth(std::move(*as_given), std::move(*closed), target.input, options, clock);
+  const auto as_given = clock.tryTo([&] { return asGiven(0.5, &closed->found); });
+  if (as_given && *as_given)
+    return bestOfBoth(**as_given, std::move(*closed), target.input, options, clock);
   std::optional<RegistrationResult> known =
       clock.tryTo([&] { return finished(std::move(*closed)); });
   return known ? std::move(*known) : finished(*asGiven(0, nullptr));
