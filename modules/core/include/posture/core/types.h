@@ -6,6 +6,15 @@
 
 #include <cstdint>
 
+// Matrices are made on one side of the interface and freed on the other.
+#ifdef POSTURE_EIGEN_MAX_ALIGN_BYTES
+static_assert(
+    EIGEN_MAX_ALIGN_BYTES == POSTURE_EIGEN_MAX_ALIGN_BYTES &&
+        EIGEN_MALLOC_ALREADY_ALIGNED == POSTURE_EIGEN_MALLOC_ALREADY_ALIGNED,
+    "With these flags (-march, -mavx, -fsanitize=address) Eigen allocates otherwise than in "
+    "the posture libraries: see docs/installing.md, Compiler flags");
+#endif
+
 namespace posture {
 
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  ///< n x 3
