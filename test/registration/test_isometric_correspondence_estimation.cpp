@@ -182,6 +182,49 @@ TEST(IsometricCorrespondenceEstimation, registersAnewOnlyWhenSomethingChanged) {
   EXPECT_EQ(estimation.getMessage(), "source has no points");
 }
 
+TEST(IsometricCorrespondenceEstimation, aCloudSetThroughTheBaseIsRegistered) {
+  Estimation estimation;
+  estimation.setInputTarget(bodies().target);
+  estimation.setOptions(published());
+  pcl::Correspondences matches, reversed_matches;
+  estimation.setInputSource(bodies().source);
+  estimation.determineCorrespondences(matches);
+  ASSERT_FALSE(matches.empty());
+  const auto reversed = pcl::make_shared<Cloud>(*bodies().source);
+  std::reverse(reversed->begin(), reversed->end());
+  estimation.setInputCloud(reversed);
+  estimation.determineCorrespondences(reversed_matches);
+  std::map<int, int> match_of;
+  for (const pcl::Correspondence& match : matches) match_of[match.index_query] = match.index_match;
+  int alike = 0;
+  const int last = static_cast<int>(reversed->size()) - 1;
+  for (const pcl::Correspondence& match : reversed_matches) {
+    const auto known = match_of.find(last - match.index_query);
+    alike += known != match_of.end() && known->second == match.index_match;
+  }
+  EXPECT_GT(alike, 0.9 * static_cast<double>(matches.size()));
+}
+
+TEST(IsometricCorrespondenceEstimation, indicesThatNameNoPointAreRefusedInALine) {
+  for (const int wrong : {-1, 100'000'000}) {
+    const auto indices = pcl::make_shared<pcl::Indices>(pcl::Indices{0, wrong, 2});
+    pcl::Correspondences matches = bodies().matches;
+    Estimation source = bodies().estimation, target = bodies().estimation;
+    source.setIndicesSource(indices);
+    source.determineCorrespondences(matches);
+    EXPECT_TRUE(matches.empty());
+    EXPECT_EQ(source.getMessage(),
+              "source index " + std::to_string(wrong) + " names no point of " +
+                  std::to_string(bodies().source->size()));
+    matches = bodies().matches;
+    target.setIndicesTarget(indices);
+    target.setOptions(published());
+    target.determineCorrespondences(matches);
+    EXPECT_TRUE(matches.empty());
+    EXPECT_EQ(target.getMessage().rfind("target index ", 0), 0U) << target.getMessage();
+  }
+}
+
 TEST(IsometricCorrespondenceEstimation, emptyInputsHaveNoMatches) {
   const auto empty = pcl::make_shared<Cloud>();
   const auto refusal = [](Estimation& estimation) {

@@ -608,6 +608,39 @@ TEST(IsometricRegistration, badDataAreRefusedInALine) {
   EXPECT_THAT(refusal(registration), StartsWith("source "));
 }
 
+TEST(IsometricRegistration, printsNothingOfBadData) {
+  const Registered& r = registered();
+  const auto missing = test::toCloud<PointXYZRGBNormal>(
+      Points::Constant(100, 3, std::numeric_limits<double>::quiet_NaN()));
+  Registration registration = copyOfRegistered();
+  Cloud output;
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const std::vector<Cloud::ConstPtr> bad_clouds{pcl::make_shared<Cloud>(), missing};
+  for (const Cloud::ConstPtr& bad : bad_clouds) {
+    registration.setInputSource(bad);
+    registration.align(output);
+    registration.setInputSource(r.source);
+    registration.setInputTarget(bad);
+    registration.align(output);
+    Registration(registration).align(output);
+  }
+  registration.setSourceMesh(pcl::PolygonMesh());
+  registration.setTargetMesh(pcl::PolygonMesh());
+  const std::string out = testing::internal::GetCapturedStdout(),
+                    err = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(out + err, "");
+  EXPECT_EQ(registration.getMessage(), "target has no points");
+}
+
+TEST(IsometricRegistration, theSurfaceAndWhereItWentAreHandedOut) {
+  const Registered& r = registered();
+  const DeformedSurface& surface = r.registration.getSurface();
+  ASSERT_EQ(surface.rest.vertices.rows(), static_cast<Eigen::Index>(r.output.size()));
+  EXPECT_EQ(surface.deformed, r.registration.getResult().deformed);
+  EXPECT_EQ(Registration().getSurface().rest.vertices.rows(), 0);
+}
+
 TEST(IsometricRegistration, aVertexFarOutDoesNotTurnTheFinalTransformation) {
   const Registered& r = registered();
   const auto spiky = pcl::make_shared<Cloud>(*r.source);

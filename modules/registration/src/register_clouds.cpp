@@ -66,6 +66,7 @@ Part meshOf(const CloudSide& side) {
 }
 
 Part partOf(const std::string& name, const CloudSide& side) {
+  if (!side.fault.empty()) throw InputError(name + " " + side.fault);
   if (side.cloud.points.rows() == 0) throw InputError(name + " has no points");
   if (side.polygons.empty()) return pointsOf(side);
   try {

@@ -19,17 +19,20 @@ namespace posture {
 /// and transformation estimations to work on. They are found from how the surfaces bend, not from
 /// how near the clouds lie to each other: moving, turning or scaling a cloud does not change them.
 ///
-/// The first call after an input, the indices, a mesh, normals or options have changed registers
-/// the clouds, which takes seconds; further calls use what it found. A loop that sets its source
-/// anew in each iteration, as pcl::IterativeClosestPoint does, registers in each.
+/// The first call after an input, the indices, a mesh, normals or options were set anew registers
+/// the clouds, which takes seconds; further calls use what it found, also where the points of a
+/// cloud were changed in place. A loop that sets its source anew in each iteration, as
+/// pcl::IterativeClosestPoint does, registers in each.
 ///
 /// Where the data do not decide, the matches are those of the best guess; where they cannot be used
 /// there are none. getResult() has the status, getMessage() the reason.
 ///
 /// Inputs are as for IsometricRegistration. Copies and clones may be used in different threads.
 ///
-/// Precompiled for the point types below; for others include
-/// posture/registration/impl/isometric_correspondence_estimation.hpp as well.
+/// Precompiled for the point types below; for others of PCL's include
+/// posture/registration/impl/isometric_correspondence_estimation.hpp as well, and for those of
+/// one's own see docs/installing.md. With PCL 1.13 both types have to be the same.
+///
 /// \see IsometricRegistration
 template <typename PointSource, typename PointTarget, typename Scalar = float>
 class IsometricCorrespondenceEstimation
@@ -102,7 +105,10 @@ class IsometricCorrespondenceEstimation
   RegistrationOptions options_;
   Observer observer_;
   bool changed_ = true;
-  pcl::Indices used_;  ///< those of the last registration
+  // Those of the last registration: the base has setters that set no flag.
+  pcl::Indices used_;
+  PointCloudSourceConstPtr used_source_;
+  PointCloudTargetConstPtr used_target_;
   RegisteredClouds clouds_;
 
  public:

@@ -53,14 +53,18 @@ namespace posture {
 ///
 /// Copies share the input clouds, which are const, search methods that were set with
 /// force_no_recompute, and what was handed in for settings without influence; nothing else. Objects
-/// may be used in different threads. Nothing is printed but what the base prints on missing or
-/// empty inputs, and pcl::fromPCLPointCloud2 on fields that a pcl::PolygonMesh lacks.
+/// may be used in different threads. Nothing is printed but what the base prints where an input was
+/// never set, and pcl::fromPCLPointCloud2 on fields that the cloud of a pcl::PolygonMesh lacks.
 ///
 /// Indices have to be numbers of points of the source when align() is called, which the base does
 /// not check: after a smaller source they are to be set anew.
 ///
-/// Precompiled for the point types below; for others include
-/// posture/registration/impl/isometric_registration.hpp as well.
+/// Inputs are known by their pointers: a cloud whose points were changed in place has to be set
+/// anew.
+///
+/// Precompiled for the point types below; for others of PCL's include
+/// posture/registration/impl/isometric_registration.hpp as well, and for those of one's own see
+/// docs/installing.md.
 /// \see registerShapes(), IsometricCorrespondenceEstimation
 template <typename PointSource, typename PointTarget, typename Scalar = float>
 class IsometricRegistration : public pcl::Registration<PointSource, PointTarget, Scalar> {
@@ -119,8 +123,13 @@ class IsometricRegistration : public pcl::Registration<PointSource, PointTarget,
   void setObserver(Observer observer) { observer_ = std::move(observer); }
 
   /// What registerShapes() says, in double precision. Row i is output[i]; vertices of the target
-  /// are points of the target cloud, faces the triangles its polygons were cut into.
+  /// are points of the target cloud, faces the triangles its polygons were cut into. segmentShape()
+  /// and deformedSurface() take the result of registerShapes(), not this: see getSurface().
   const RegistrationResult& getResult() const { return clouds_.result; }
+  /// The surface of the source and where its vertices went, for segmentRigidParts() and
+  /// applyDeformation(): of a mesh its finite points, of points the surface laid through them.
+  /// Without vertices where there is no answer.
+  const DeformedSurface& getSurface() const { return clouds_.surface; }
   /// One line: how it went, or why there is no answer.
   const std::string& getMessage() const { return clouds_.result.message; }
 

@@ -10,6 +10,7 @@
 #include <pcl/correspondence.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace posture {
@@ -19,6 +20,7 @@ struct CloudSide {
   PointCloud cloud;         ///< n points, in the order of the indices
   std::vector<int> number;  ///< n: of each in the cloud it is from
   std::size_t total = 0;    ///< how many points that cloud has
+  std::string fault;        ///< what is wrong with the indices, in words; empty: nothing
   /// In the numbers of that cloud; empty: points alone. Polygons of more than three corners are cut
   /// into fans; triangles with a corner that takes no part, or is not finite, are left out.
   std::vector<pcl::Vertices> polygons;

@@ -10,7 +10,9 @@
 #include <pcl/point_types.h>
 #include <pcl/types.h>
 
+#include <algorithm>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace posture {
@@ -42,14 +44,28 @@ void writePlaces(const Points& places, const Points& normals, pcl::PointCloud<Po
   }
 }
 
+/// Whether a cloud has a field: conversions print where it has not.
+inline bool hasField(const pcl::PCLPointCloud2& cloud, const char* name) {
+  return std::any_of(cloud.fields.begin(),
+                     cloud.fields.end(),
+                     [&](const pcl::PCLPointField& field) { return field.name == name; });
+}
+
+/// None where the cloud has none.
 inline Points toNormals(const pcl::PCLPointCloud2& normals) {
   pcl::PointCloud<pcl::Normal> cloud;
-  pcl::fromPCLPointCloud2(normals, cloud);
+  if (hasField(normals, "normal_x")) pcl::fromPCLPointCloud2(normals, cloud);
   Points rows(static_cast<Eigen::Index>(cloud.size()), 3);
   for (std::size_t i = 0; i < cloud.size(); ++i)
     rows.row(static_cast<Eigen::Index>(i)) =
         cloud[i].getNormalVector3fMap().cast<double>().transpose();
   return rows;
+}
+
+template <typename PointT>
+bool hasFinitePoint(const pcl::PointCloud<PointT>& cloud) {
+  return std::any_of(
+      cloud.begin(), cloud.end(), [](const PointT& p) { return p.getVector3fMap().allFinite(); });
 }
 
 template <typename PointT>
@@ -69,6 +85,12 @@ CloudSide cloudSide(const pcl::PointCloud<PointT>& input,
                     const Points& normals = {}) {
   CloudSide side;
   if (input.empty()) return side;  // whatever indices are left of another input
+  for (const pcl::index_t i : indices)
+    if (i < 0 || static_cast<std::size_t>(i) >= input.size()) {
+      side.fault =
+          "index " + std::to_string(i) + " names no point of " + std::to_string(input.size());
+      return side;
+    }
   side.cloud = toPointCloud(pcl::PointCloud<PointT>(input, indices));
   if (normals.rows() == static_cast<Eigen::Index>(input.size()))
     side.cloud.normals = normals(indices, Eigen::all);

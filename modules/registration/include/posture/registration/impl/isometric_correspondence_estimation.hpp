@@ -34,9 +34,11 @@ void IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::setInp
 template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::setInputTarget(
     const PointCloudTargetConstPtr& cloud) {
-  Base::setInputTarget(cloud);
-  if (!cloud->empty()) return;
-  this->target_ = cloud;
+  if (!cloud->empty()) {
+    Base::setInputTarget(cloud);
+    return;
+  }
+  this->target_ = cloud;  // the base refuses it
   withdraw("target has no points");
 }
 
@@ -89,12 +91,15 @@ bool IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::update
     withdraw("an input was not set");
     return false;
   }
-  if (!changed_ && used_ == *this->indices_) return true;
+  const bool same_clouds = this->input_ == used_source_ && this->target_ == used_target_;
+  if (!changed_ && same_clouds && used_ == *this->indices_) return true;
   RegistrationOptions options = options_;
   options.both_ways = true;
   withdraw("the observer ended the last registration");  // unless it does not
   clouds_ = registerClouds(sourceSide(), targetSide(), options, observer_);
   used_ = *this->indices_;
+  used_source_ = this->input_;
+  used_target_ = this->target_;
   changed_ = false;
   return true;
 }

@@ -66,8 +66,9 @@ void IsometricRegistration<PointSource, PointTarget, Scalar>::withdraw(const std
 template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricRegistration<PointSource, PointTarget, Scalar>::setInputSource(
     const PointCloudSourceConstPtr& cloud) {
-  Base::setInputSource(cloud);
-  if (cloud->empty()) {
+  if (!cloud->empty()) {
+    Base::setInputSource(cloud);
+  } else {  // which the base refuses
     this->input_ = cloud;
     this->indices_ = pcl::make_shared<pcl::Indices>();  // those that were set name points not there
     this->fake_indices_ = true;
@@ -80,11 +81,11 @@ void IsometricRegistration<PointSource, PointTarget, Scalar>::setInputSource(
 template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricRegistration<PointSource, PointTarget, Scalar>::setInputTarget(
     const PointCloudTargetConstPtr& cloud) {
-  Base::setInputTarget(cloud);
-  if (cloud->empty()) {
+  if (!cloud->empty())
+    Base::setInputTarget(cloud);
+  else  // which the base refuses
     this->target_ = cloud;
-    this->target_cloud_updated_ = false;  // no search tree can be built over it
-  }
+  if (!hasFinitePoint(*cloud)) this->target_cloud_updated_ = false;  // or it builds a search tree
   target_polygons_.clear();
   withdraw(cloud->empty() ? "target has no points" : "the target is new and was not aligned yet");
 }
@@ -107,7 +108,7 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricRegistration<PointSource, PointTarget, Scalar>::setSourceMesh(
     const pcl::PolygonMesh& mesh) {
   auto cloud = pcl::make_shared<PointCloudSource>();
-  pcl::fromPCLPointCloud2(mesh.cloud, *cloud);
+  if (hasField(mesh.cloud, "x")) pcl::fromPCLPointCloud2(mesh.cloud, *cloud);
   setSourceMesh(cloud, mesh.polygons);
 }
 
@@ -115,7 +116,7 @@ template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricRegistration<PointSource, PointTarget, Scalar>::setTargetMesh(
     const pcl::PolygonMesh& mesh) {
   auto cloud = pcl::make_shared<PointCloudTarget>();
-  pcl::fromPCLPointCloud2(mesh.cloud, *cloud);
+  if (hasField(mesh.cloud, "x")) pcl::fromPCLPointCloud2(mesh.cloud, *cloud);
   setTargetMesh(cloud, mesh.polygons);
 }
 
