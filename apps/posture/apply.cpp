@@ -10,7 +10,9 @@
 
 #include "common/endings.h"
 #include "folder.h"
+#include "result_files.h"
 #include "verbs.h"
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -68,14 +70,30 @@ StoredDeformation readDeformation(const fs::path& folder) {
   }
 }
 
+/// Whether most points are farther from the box around a surface than its diagonal is long.
+bool areFarOff(const Points& points, const Points& surface) {
+  const Eigen::RowVector3d low = surface.colwise().minCoeff(), high = surface.colwise().maxCoeff();
+  const double size = (high - low).norm();
+  const auto far =
+      std::count_if(points.rowwise().begin(), points.rowwise().end(), [&](const auto& p) {
+        return (p - p.cwiseMax(low).cwiseMin(high)).norm() > size;
+      });
+  return 2 * far > points.rows();
+}
+
 void applyVerb(const ApplyOptions& options, Common& common) {
   const auto [stored, doubt] = readDeformation(options.folder);
   Shape shape = readShape(options.points);
   const std::string wrong =
       wrongEnding(options.output, shape.faces.rows() > 0 ? MESH_ENDINGS : CLOUD_ENDINGS);
   if (!wrong.empty()) throw CLI::ValidationError("--output", wrong);
+  requireNoPartOfResult(options.folder, options.output);
+  requireNoInput(options.output, {options.points});
   checkWritable(options.output);  // now, not after the work
-  const std::size_t seen = finiteRows(shape.cloud.points).size();
+  const std::vector<int> seen = finiteRows(shape.cloud.points);
+  if (areFarOff(shape.cloud.points(seen, Eigen::all), stored.rest.vertices))
+    throw InputError(options.points.string() +
+                     ": is nowhere near SOURCE: in another unit, or another frame?");
   shape.cloud = applyDeformation(stored, std::move(shape.cloud));
   shape.cloud.sensor.reset();
   shape.cloud.width = 0;  // what is bent is no depth image
@@ -88,9 +106,9 @@ void applyVerb(const ApplyOptions& options, Common& common) {
     std::fprintf(stderr, "posture: %s: %s\n", options.folder.c_str(), doubt.c_str());
   }
   if (common.json)
-    std::printf("%s\n", Json{{"points", seen}}.dump().c_str());
+    std::printf("%s\n", Json{{"points", seen.size()}}.dump().c_str());
   else if (!common.quiet)
-    std::printf("%zu %s moved\n", seen, seen == 1 ? "point" : "points");
+    std::printf("%zu %s moved\n", seen.size(), seen.size() == 1 ? "point" : "points");
 }
 
 }  // namespace

@@ -15,6 +15,14 @@ void makeFolder(const std::filesystem::path& folder) {
   if (error) throw InputError(folder.string() + ": cannot be made (" + error.message() + ")");
 }
 
+void requireNoInput(const std::filesystem::path& output,
+                    const std::vector<std::filesystem::path>& inputs) {
+  std::error_code error;
+  for (const std::filesystem::path& input : inputs)
+    if (std::filesystem::equivalent(input, output, error))
+      throw InputError(input.string() + ": would be written over by the output");
+}
+
 void checkWritable(const std::filesystem::path& path) { const AtomicFile probe(path); }
 
 void writeText(const std::filesystem::path& path, const std::string& text) {

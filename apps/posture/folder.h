@@ -4,11 +4,16 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace posture::app {
 
 /// Makes the folder with its parents. \throws InputError  it cannot be made.
 void makeFolder(const std::filesystem::path& folder);
+
+/// \throws InputError  the output is one of the files that are read, or a link to one.
+void requireNoInput(const std::filesystem::path& output,
+                    const std::vector<std::filesystem::path>& inputs);
 
 /// \throws InputError  the file could not be written.
 void checkWritable(const std::filesystem::path& path);

@@ -42,6 +42,8 @@ fs::path placeOf(const fs::path& file) { return fs::weakly_canonical(fs::absolut
 void reconstructVerb(const ReconstructOptions& options, const Common& common) {
   if (!options.link.empty() && placeOf(options.link) == placeOf(options.mesh))
     throw CLI::ValidationError("--link", "is the file of --output");
+  requireNoInput(options.mesh, {options.scan});
+  requireNoInput(options.link, {options.scan});
   checkWritable(options.mesh);  // now, not after the work
   if (!options.link.empty()) checkWritable(options.link);
   const ScanSurface surface = reconstructFile(options);

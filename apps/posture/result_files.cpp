@@ -139,6 +139,13 @@ void requireNoSegmentFiles(const fs::path& folder, const std::vector<fs::path>& 
   requireApart(folder, inputs, isSegmentFile);
 }
 
+void requireNoPartOfResult(const fs::path& folder, const fs::path& file) {
+  std::error_code error;
+  for (const fs::path& name : namesIn(folder, isResultFile))
+    if (fs::equivalent(folder / name, file, error))
+      throw InputError(file.string() + ": is part of the result in " + folder.string());
+}
+
 void removeResultFiles(const fs::path& folder) {
   removeFrom(folder, "report.json");  // first: without it the folder is no result
   const bool of_segment = fs::exists(folder / "segments.json");

@@ -35,6 +35,9 @@ void requireNoResultFiles(const std::filesystem::path& folder,
 void requireNoSegmentFiles(const std::filesystem::path& folder,
                            const std::vector<std::filesystem::path>& inputs);
 
+/// That a file is no part of the result in a folder. \throws InputError  it is.
+void requireNoPartOfResult(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 /// Takes an earlier result out of a folder, also one that was being written: the report first, then
 /// all that has a name of writeResultFiles().
 void removeResultFiles(const std::filesystem::path& folder);

@@ -165,6 +165,37 @@ TEST_F(Apply, refusesAnEndingThatDoesNotFit) {
   }
 }
 
+TEST_F(Apply, doesNotWriteOverWhatItReads) {
+  const std::string before = test::bytesOf(at("source.ply")),
+                    stored = test::bytesOf(at("of-source.ply") + "/registered.ply");
+  fs::create_symlink(at("source.ply"), at("link.ply"));
+  for (const std::string output : {"source.ply", "link.ply", "of-source.ply/registered.ply"}) {
+    const ProgramRun ended = apply("of-source.ply", "source.ply", output);
+    EXPECT_EQ(ended.exit_code, 3) << output;
+    EXPECT_TRUE(test::saidWhyInOneLine(ended)) << ended.err;
+  }
+  EXPECT_EQ(test::bytesOf(at("source.ply")), before);
+  EXPECT_EQ(test::bytesOf(at("of-source.ply") + "/registered.ply"), stored);
+}
+
+TEST_F(Apply, refusesPointsThatAreNowhereNearTheSource) {
+  const Points source = body(0).mesh.vertices;
+  writeCloud("millimetres.xyz", 1000 * source);
+  writeCloud("elsewhere.xyz", source.rowwise() + Eigen::RowVector3d(5e5, 5e6, 0));
+  for (const std::string points : {"millimetres.xyz", "elsewhere.xyz"}) {
+    const ProgramRun ended = apply("of-source.ply", points, "never.xyz");
+    EXPECT_EQ(ended.exit_code, 3) << points;
+    EXPECT_TRUE(test::saidWhyInOneLine(ended)) << ended.err;
+    EXPECT_THAT(ended.err, HasSubstr(points));
+    EXPECT_FALSE(fs::exists(at("never.xyz")));
+  }
+  // Some strays among them are none.
+  Points strays = source;
+  strays.topRows(100).array() += 50;
+  writeCloud("strays.xyz", strays);
+  EXPECT_EQ(apply("of-source.ply", "strays.xyz", "moved-strays.xyz").exit_code, 0);
+}
+
 TEST_F(Apply, namesWhatIsMissingInOneLine) {
   for (const std::string missing : {"report.json", "registered.ply", "source_colored.ply"}) {
     const std::string part = "without-" + missing;

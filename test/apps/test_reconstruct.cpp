@@ -97,6 +97,21 @@ TEST_F(Reconstruct, RefusesAnEndingBeforeTheWork) {
   EXPECT_THAT(end.err, HasSubstr(".off"));
 }
 
+TEST_F(Reconstruct, DoesNotWriteOverTheScan) {
+  write("scan.ply", 1);
+  const std::string before = test::bytesOf(folder_ / "scan.ply");
+  for (const std::vector<std::string>& outputs :
+       {std::vector<std::string>{"-o", folder_ / "scan.ply"},
+        std::vector<std::string>{"-o", folder_ / "other.ply", "--link", folder_ / "scan.ply"}}) {
+    std::vector<std::string> arguments{"reconstruct", folder_ / "scan.ply"};
+    arguments.insert(arguments.end(), outputs.begin(), outputs.end());
+    const auto end = test::run(POSTURE, arguments);
+    EXPECT_EQ(end.exit_code, 3);
+    EXPECT_THAT(end.err, HasSubstr("written over"));
+    EXPECT_EQ(test::bytesOf(folder_ / "scan.ply"), before);
+  }
+}
+
 TEST_F(Reconstruct, SaysWhetherThePointsAreTheVertices) {
   const auto end = reconstruct("body.xyz", {"--json"});
   EXPECT_EQ(json::parse(end.out).at("through_points"), true);
