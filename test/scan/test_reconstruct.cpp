@@ -256,10 +256,13 @@ TEST(Reconstruct, LooksAtTheSensorOfAView) {
       // The camera looks along +z: x to the right, y down.
       if (r < 0.8) view.points.row(WIDTH * row + column) << x, y, 3 + std::sqrt(1 - r);
     }
-  for (const bool knows_sensor : {true, false}) {
-    view.width = knows_sensor ? 0 : WIDTH;
+  for (const std::string known : {"the sensor", "the grid", "the grid, as the sensor cannot be"}) {
+    view.width = known == "the sensor" ? 0 : WIDTH;
     view.sensor.reset();
-    if (knows_sensor) view.sensor = Eigen::Vector3d::Zero();
+    if (known == "the sensor") view.sensor = Eigen::Vector3d::Zero();
+    // Where the origin is once the points were moved into their middle.
+    if (known == "the grid, as the sensor cannot be") view.sensor = Eigen::Vector3d(0, 0, 3.75);
+    SCOPED_TRACE(known);
     const ScanSurface surface = reconstruct(view);
     EXPECT_TRUE(surface.summary.oriented_by_sensor);
     EXPECT_EQ(surface.summary.boundary_loops, 1);

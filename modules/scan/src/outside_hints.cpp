@@ -35,11 +35,21 @@ Eigen::RowVector3d towardsEye(const PointCloud& cloud, int cell) {
   return unitOrZero(unitOrZero(down).cross(unitOrZero(right)));
 }
 
+/// Whether a place is in the middle of some points. There no scanner stood: points that were moved
+/// often keep the place they had, or the origin.
+bool isAmong(const Eigen::Vector3d& place, const Points& points, const std::vector<int>& rows) {
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  for (const int row : rows) sum += unitOrZero(points.row(row) - place.transpose());
+  // The mean direction of what fills less than half of all is longer.
+  constexpr double HALF_SPACE = 0.5;
+  return sum.norm() < HALF_SPACE * static_cast<double>(rows.size());
+}
+
 }  // namespace
 
 OutsideHints outsideHints(const PointCloud& cloud, const std::vector<int>& rows) {
   OutsideHints hints;
-  if (cloud.sensor && cloud.sensor->allFinite())
+  if (cloud.sensor && cloud.sensor->allFinite() && !isAmong(*cloud.sensor, cloud.points, rows))
     hints.source = HintSource::SENSOR;
   else if (cloud.width > 1 && cloud.points.rows() > cloud.width)
     hints.source = HintSource::GRID;
