@@ -55,10 +55,15 @@ Json summarizeFamily(const std::string& family, const std::vector<Json>& results
     if (result.contains("accepted"))
       shares.push_back(numberAt(result, "/accepted") / numberAt(result, "/source_vertices"));
   const auto run = figures(results, "/seconds").size();
+  const auto failed = static_cast<std::size_t>(
+      std::count_if(results.begin(), results.end(), [](const Json& result) {
+        return textAt(result, "status") == "failed";
+      }));
   return {{"family", family},
           {"pairs", results.size()},
           {"run", run},
-          {"failed", results.size() - run},
+          {"failed", failed},
+          {"not_run", results.size() - run - failed},
           {"source_vertices", median("/source_vertices")},
           {"samples", median("/samples")},
           {"judged", figures(results, "/errors/mean_x100").size()},

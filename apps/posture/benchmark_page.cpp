@@ -29,7 +29,7 @@ std::string familyTable(const Json& families) {
   for (const Json& f : families)
     rows.push_back({textAt(f, "family"),
                     std::to_string(f.value("pairs", 0)),
-                    std::to_string(f.value("failed", 0)),
+                    std::to_string(f.value("failed", 0) + f.value("not_run", 0)),
                     formatFixed(numberAt(f, "/mean_mean_x100"), 2),
                     formatFixed(numberAt(f, "/median_mean_x100"), 2),
                     formatFixed(numberAt(f, "/largest_mean_x100"), 2),
@@ -45,7 +45,7 @@ std::string familyTable(const Json& families) {
                     formatFixed(numberAt(f, "/largest_memory_mib"), 0)});
   return toMarkdown({{"family",
                       "pairs",
-                      "failed",
+                      "no result",
                       "error, mean",
                       "error, median",
                       "error, largest",

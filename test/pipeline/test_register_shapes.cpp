@@ -426,8 +426,17 @@ TEST(RegisterShapes, refusesWhatIsNoMesh) {
   no_corner.faces(0, 2) = static_cast<int>(no_corner.vertices.rows());
   not_finite.vertices(0, 1) = std::numeric_limits<double>::quiet_NaN();
   for (const TriangleMesh& bad : {no_corner, not_finite}) {
-    EXPECT_THROW(registerShapes(bad, test::sphere(2)), std::invalid_argument);
-    EXPECT_THROW(registerShapes(test::sphere(2), bad), std::invalid_argument);
+    for (const bool is_source : {true, false}) {
+      const TriangleMesh good = test::sphere(2);
+      try {
+        registerShapes(is_source ? bad : good, is_source ? good : bad);
+        FAIL() << "nothing thrown";
+      } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(std::string(error.what()).rfind(is_source ? "source mesh: " : "target mesh: ", 0),
+                  0U)
+            << error.what();
+      }
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include <new>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace posture {
 namespace fs = std::filesystem;
@@ -21,6 +22,15 @@ std::size_t lineEnds(std::string_view text, std::size_t offset) {
   for (std::size_t i = 0; i < std::min(offset, text.size()); ++i)
     if (text[i] == '\n' || (text[i] == '\r' && text.substr(i + 1, 1) != "\n")) ++ends;
   return ends;
+}
+
+/// The name of a compressed file's format; empty: it is none.
+std::string compressionOf(std::string_view bytes) {
+  constexpr std::pair<std::string_view, std::string_view> SIGNATURES[] = {
+      {"\x1f\x8b", "gzip"}, {"PK\x03\x04", "ZIP"}, {"BZh", "bzip2"}, {"\xfd\x37zXZ", "xz"}};
+  for (const auto& [signature, name] : SIGNATURES)
+    if (bytes.substr(0, signature.size()) == signature) return std::string(name);
+  return "";
 }
 
 }  // namespace
@@ -46,6 +56,8 @@ Input::Input(const fs::path& path) : path_(path) {
   }
   stream.read(bytes_.data(), static_cast<std::streamsize>(size));
   if (static_cast<std::uintmax_t>(stream.gcount()) != size) fail("cannot be read to its end");
+  if (const std::string format = compressionOf(bytes_); !format.empty())
+    fail("is compressed (" + format + "): unpack it first");
 }
 
 void Input::fail(const std::string& what) const { failAt(NO_OFFSET, what); }

@@ -14,7 +14,7 @@ constexpr std::size_t NO_OFFSET = static_cast<std::size_t>(-1);
 /// A whole file in memory, and the way to say what is wrong with it.
 class Input {
  public:
-  /// \throws InputError  missing, not a regular file, empty, unreadable or too large.
+  /// \throws InputError  missing, not a regular file, empty, unreadable, too large or compressed.
   explicit Input(const std::filesystem::path& path);
 
   std::string_view bytes() const { return bytes_; }

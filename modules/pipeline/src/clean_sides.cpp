@@ -5,6 +5,8 @@
 #include <posture/core/error.h>
 #include <posture/mesh/denoise.h>
 
+#include <stdexcept>
+
 namespace posture {
 namespace {
 
@@ -17,6 +19,8 @@ CleanMesh cleanSide(const std::string& side, SideSurface& surface) {
     return clean;
   } catch (const InputError& error) {
     throw InputError(side + " " + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(side + " " + error.what());
   }
 }
 

@@ -7,6 +7,7 @@
 #include "attempts.h"
 #include "clean_sides.h"
 #include "contacts.h"
+#include "left_out_parts.h"
 #include "patched_shape.h"
 #include "pieces.h"
 #include "published_method.h"
@@ -291,12 +292,14 @@ RegistrationResult registerSurfaces(SideSurface& source,
   const CleanSides clean =
       clock.stage("cleaning", 0.02, [&] { return cleanSides(source, target); });
   clock.show([&] { return cleaningPictures(clean.source, clean.target); });
-  RegistrationResult result =
-      registerMeshes({source.mesh, clean.source}, {target.mesh, clean.target}, options, clock);
+  const GivenShape from{source.mesh, clean.source}, to{target.mesh, clean.target};
+  RegistrationResult result = registerMeshes(from, to, options, clock);
   notePreparation(source, result.source, result.source_denoised);
   notePreparation(target, result.target, result.target_denoised);
   dropBackground(source.background, source.mesh.vertices, target.background, result);
-  if (result.status == Status::REGISTERED) result.message = mappedMessage(result);
+  noteLeftOutParts(from, to, result);
+  result.message = result.status == Status::REGISTERED ? mappedMessage(result)
+                                                       : result.message + leftOutMessage(result);
   return result;
 }
 

@@ -66,14 +66,6 @@ std::string percent(double share) {
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " %";
 }
 
-std::string backgroundMessage(const RegistrationResult& result) {
-  const bool source = result.source.background_faces > 0,
-             target = result.target.background_faces > 0;
-  if (!source && !target) return "";
-  const std::string side = source && target ? "source and target" : source ? "source" : "target";
-  return "; a floor or wall in the " + side + " is left out";
-}
-
 }  // namespace
 
 std::string mappedMessage(const RegistrationResult& result) {
@@ -81,7 +73,26 @@ std::string mappedMessage(const RegistrationResult& result) {
   return std::to_string(mapped) + " of " + std::to_string(all) +
          (result.source_scan ? " source points" : " source vertices") + " have a counterpart (" +
          percent(static_cast<double>(mapped) / static_cast<double>(all)) + ")" +
-         backgroundMessage(result);
+         leftOutMessage(result);
+}
+
+std::string leftOutMessage(const RegistrationResult& result) {
+  constexpr double LIKE_A_BODY = 0.5;
+  const bool source = result.source.background_faces > 0,
+             target = result.target.background_faces > 0;
+  std::string message;
+  if (source || target)
+    message += std::string("; a floor or wall in the ") +
+               (source && target ? "source and target"
+                : source         ? "source"
+                                 : "target") +
+               " is left out";
+  for (const auto& [side, summary] :
+       {std::pair("source", &result.source), std::pair("target", &result.target)})
+    if (summary->left_out_share > LIKE_A_BODY)
+      message += std::string("; another part of the ") + side + ", " +
+                 percent(summary->left_out_share) + " as large as the one registered, is left out";
+  return message;
 }
 
 double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& other) {

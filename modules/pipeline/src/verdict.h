@@ -11,6 +11,10 @@ namespace posture {
 /// How many of the source's vertices, or points that are there, have a counterpart, in words.
 std::string mappedMessage(const RegistrationResult& result);
 
+/// What of the sides was left out that is as large as a body, in words that end a message; empty:
+/// nothing was.
+std::string leftOutMessage(const RegistrationResult& result);
+
 /// Sets status and message from the chosen hypothesis: two bodies are called the same one when
 /// distances on them agree under it.
 void givePublishedVerdict(RegistrationResult& result);

@@ -189,6 +189,9 @@ std::string shapes(const RegistrationResult& result, const RunDescription& run) 
   table.count("Contacts cut open", a.parted_contacts, b.parted_contacts);
   table.count("Vertices added for the search", a.added_vertices, b.added_vertices);
   table.figure("Area", a.area, b.area);
+  if (std::max(a.left_out_share, b.left_out_share) > 0)
+    table.figure(
+        "Of the largest other part left out, over that", a.left_out_share, b.left_out_share);
   if (std::min(a.compared_share, b.compared_share) < 1)
     table.figure(
         "Share of it compared, as the other side is a piece", a.compared_share, b.compared_share);

@@ -92,6 +92,7 @@ struct ShapeSummary {
   int parted_contacts = 0;  ///< where it was taken for grown together with itself, and cut open
   int added_vertices = 0;   ///< on long edges while maps were sought: the other side is much finer
   double area = 0;          ///< of the main surface, in squared units of the input
+  double left_out_share = 0;  ///< over that, the area of the largest other part without a place
   double compared_share = 1;  ///< of the area: less where the other side was taken for a piece
   double mean_edge_length = 0;
   int samples = 0;
@@ -144,9 +145,9 @@ inline const Points& registeredPoints(const Shape& given, const Points& denoised
 }
 
 /// Finds the dense correspondence of two meshes.
-/// \throws InputError  one of the meshes has no surface to work on; the message begins with its
-/// side, "source" or "target"; std::invalid_argument  as requireMesh(); std::runtime_error  it is
-/// so torn that it cannot be bent.
+/// \throws InputError  one of the meshes has no surface to work on; std::invalid_argument  as
+/// requireMesh(), which a vertex that is not finite is, too: messages of both begin with the side,
+/// "source" or "target"; std::runtime_error  a mesh is so torn that it cannot be bent.
 RegistrationResult registerShapes(const TriangleMesh& source,
                                   const TriangleMesh& target,
                                   const RegistrationOptions& options = {},
