@@ -31,6 +31,23 @@ Log makeLog() {
   return log;
 }
 
+/// How children end is told to us while this lives: where SIGCHLD is ignored, as a parent of ours
+/// may have left it, the system forgets that.
+class ToldOfChildren {
+ public:
+  ToldOfChildren() {
+    struct sigaction action = {};
+    action.sa_handler = SIG_DFL;
+    sigaction(SIGCHLD, &action, &before_);
+  }
+  ~ToldOfChildren() { sigaction(SIGCHLD, &before_, nullptr); }
+  ToldOfChildren(const ToldOfChildren&) = delete;
+  ToldOfChildren& operator=(const ToldOfChildren&) = delete;
+
+ private:
+  struct sigaction before_ = {};
+};
+
 /// \param log  takes the stderr of the process.
 pid_t spawnSelf(const std::vector<std::string>& arguments, std::FILE* log) {
   std::vector<std::string> words{"posture"};
@@ -79,6 +96,7 @@ ChildEnd runSelf(const std::vector<std::string>& arguments,
                  const std::function<void()>& waiting) {
   const auto start = Clock::now();
   const Log log = makeLog();
+  const ToldOfChildren told;
   const pid_t child = spawnSelf(arguments, log.get());
   int status = 0;
   pid_t ended = 0;
@@ -97,10 +115,11 @@ ChildEnd runSelf(const std::vector<std::string>& arguments,
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   ChildEnd end;
+  end.is_known = timed_out || ended == child;
   end.succeeded = !timed_out && ended == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
   if (timed_out)
     end.reason = "took longer than " + formatShort(time_limit.count()) + " s";
-  else if (ended < 0)
+  else if (!end.is_known)
     end.reason = std::string("how it ended is not known (") + std::strerror(errno) + ")";
   else if (!end.succeeded)
     end.reason = describe(status, lastLine(log.get()));

@@ -12,7 +12,8 @@ namespace posture::app {
 /// How a child process ended.
 struct ChildEnd {
   bool succeeded = false;
-  std::string reason;  ///< otherwise, in one line: what it said last, the signal, the time limit
+  bool is_known = false;  ///< false: somebody else took it
+  std::string reason;     ///< otherwise, in one line: what it said last, the signal, the time limit
 };
 
 /// Runs this very program with other arguments, in a process of its own: its memory is its own, and

@@ -24,7 +24,7 @@ Json runInChild(const ChildRun& run, const std::function<void()>& waiting) {
   std::filesystem::remove(run.result_file);
   const ChildEnd end =
       runSelf(run.arguments, std::chrono::duration<double>(run.time_limit), waiting);
-  Json result = end.succeeded ? storedResult(run) : Json();
+  Json result = end.succeeded || !end.is_known ? storedResult(run) : Json();
   if (result.is_null()) {
     result = failedRun(
         run.described, "failed", end.succeeded ? "left no result of these files" : end.reason);

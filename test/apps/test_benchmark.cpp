@@ -116,6 +116,22 @@ TEST_F(Benchmark, TheRefinedMethodIsTheDefault) {
   EXPECT_LT(result("good")["errors"]["mean_x100"], 5);
 }
 
+TEST_F(Benchmark, RunsWhereItsParentIgnoresTheEndOfChildren) {
+  const auto end = test::run("/bin/bash",  // dash takes it back
+                             {"-c",
+                              R"(trap '' CHLD; exec "$0" "$@")",
+                              POSTURE,
+                              "benchmark",
+                              folder_ / "pairs.csv",
+                              "-o",
+                              out_.string(),
+                              "--pair",
+                              "good"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_EQ(result("good")["status"], "registered") << result("good")["message"];
+  EXPECT_LT(result("good")["errors"]["mean_x100"], 5);
+}
+
 TEST_F(Benchmark, FamiliesOfThePaperStandBesideItsFigures) {
   std::ofstream(folder_ / "pairs.csv") << "id,family,source,target,truth\n"
                                           "good,horse,m/flat.off,m/bent.off,identity\n";
