@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/deformation/apply_deformation.h>
+#include <posture/mesh/connected_parts.h>
 #include <posture/mesh/normals.h>
 
 #include <Eigen/Geometry>
@@ -179,6 +180,23 @@ TEST(JoinedSurface, facetsThatShareNoVerticesAreJoined) {
   EXPECT_EQ(joined.rest.vertices.rows(), whole.vertices.rows());
   EXPECT_EQ(joined.rest.faces.rows(), whole.faces.rows());
   EXPECT_EQ(joined.deformed, 2 * joined.rest.vertices);
+}
+
+TEST(JoinedSurface, facetsAreJoinedOnEveryPart) {
+  const TriangleMesh one = test::sphere(2);
+  const auto n = one.vertices.rows(), m = one.faces.rows();
+  TriangleMesh both{Points(2 * n, 3), Faces(2 * m, 3)};
+  both.vertices << one.vertices, (0.5 * one.vertices).rowwise() + Eigen::RowVector3d(3, 0, 0);
+  both.faces << one.faces, one.faces.array() + static_cast<int>(n);
+  const TriangleMesh facets = test::soup(both);
+  const DeformedSurface joined = joinedSurface(facets, 2 * facets.vertices);
+  EXPECT_EQ(joined.rest.vertices.rows(), 2 * n);
+  EXPECT_EQ(joined.rest.faces.rows(), 2 * m);
+  EXPECT_EQ(connectedParts(joined.rest).area.size(), 2U);
+  EXPECT_EQ(joined.deformed, 2 * joined.rest.vertices);
+  for (int i = 0; i < facets.faces.size(); ++i)
+    EXPECT_EQ(joined.rest.vertices.row(joined.rest.faces.data()[i]),
+              facets.vertices.row(facets.faces.data()[i]));
 }
 
 TEST(ApplyDeformation, refusesWhatDoesNotFit) {

@@ -10,6 +10,7 @@
 #include <posture/mesh/nearest_on_faces.h>
 #include <posture/mesh/point_index.h>
 #include <posture/mesh/vertex_neighbors.h>
+#include <posture/mesh/weld.h>
 
 #include <Eigen/Dense>
 
@@ -193,13 +194,13 @@ PointCloud applyDeformation(const DeformedSurface& surface, PointCloud cloud) {
 
 DeformedSurface joinedSurface(const TriangleMesh& source, const Points& deformed) {
   requireSurface(source, deformed);
-  const CleanMesh clean = cleanMesh(source);
+  cleanMesh(source);  // refuses what is no surface
+  const std::vector<int> first = weld(source.vertices);
   std::vector<int> number(source.vertices.rows(), -1), kept;
   DeformedSurface surface;
   surface.rest.faces = source.faces;
   for (int i = 0; i < source.faces.size(); ++i) {
-    int v = source.faces.data()[i];
-    if (!(clean.offset[v] > 0)) v = clean.input_vertex[clean.clean_vertex[v]];
+    const int v = first[source.faces.data()[i]];
     if (number[v] < 0) {
       number[v] = static_cast<int>(kept.size());
       kept.push_back(v);
