@@ -49,17 +49,38 @@ TEST(NearestBothWays, takesTheFirstOfEquallyNearRows) {
   for (int j = 0; j < 130; ++j) EXPECT_EQ(backward[j], j % 5);
 }
 
-TEST(NearestBothWays, aRowThatIsNoNumberGetsARowAndIsNobodysNearest) {
-  constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
-  Eigen::MatrixXf a = randomRows(80, 3, 3), b = randomRows(70, 3, 4);
-  a.row(5).setConstant(NONE);
-  b.row(66).setConstant(NONE);
-  std::vector<int> forward, backward;
-  nearestBothWays(a, b, forward, backward);
-  for (int j : forward) EXPECT_TRUE(j >= 0 && j < 70 && j != 66) << j;
-  for (std::size_t j = 0; j < backward.size(); ++j) {
-    EXPECT_TRUE(backward[j] >= 0 && backward[j] < 80) << backward[j];
-    EXPECT_TRUE(backward[j] != 5 || j == 66) << j;
+Eigen::MatrixXf without(const Eigen::MatrixXf& rows, int gone) {
+  Eigen::MatrixXf rest(rows.rows() - 1, rows.cols());
+  rest << rows.topRows(gone), rows.bottomRows(rows.rows() - 1 - gone);
+  return rest;
+}
+
+TEST(NearestBothWays, aRowThatIsNoNumberGetsARowAndIsAsGoodAsNotThereForOthers) {
+  constexpr int A = 80, B = 70;
+  for (int bad = 0; bad < 16; ++bad) {
+    Eigen::MatrixXf a = randomRows(A, 3, 3), b = randomRows(B, 3, 4);
+    // Whether it is in `a` or in `b`: both ways are compared.
+    for (const bool in_a : {true, false}) {
+      std::vector<int> to_bad, from_bad, to_rest, from_rest;
+      const Eigen::MatrixXf rest = without(in_a ? a : b, bad);
+      Eigen::MatrixXf& rows = in_a ? a : b;
+      const Eigen::MatrixXf before = rows;
+      rows.row(bad).setConstant(std::numeric_limits<float>::quiet_NaN());
+      if (in_a) {
+        nearestBothWays(a, b, from_bad, to_bad);
+        nearestBothWays(rest, b, from_rest, to_rest);
+      } else {
+        nearestBothWays(a, b, to_bad, from_bad);
+        nearestBothWays(a, rest, to_rest, from_rest);
+      }
+      rows = before;
+      ASSERT_EQ(to_bad.size(), to_rest.size());
+      for (std::size_t i = 0; i < to_bad.size(); ++i)
+        EXPECT_EQ(to_bad[i], to_rest[i] + (to_rest[i] >= bad)) << bad << " " << i;
+      EXPECT_TRUE(from_bad[bad] >= 0 && from_bad[bad] < static_cast<int>(to_bad.size()));
+      from_bad.erase(from_bad.begin() + bad);
+      EXPECT_EQ(from_bad, from_rest) << bad;
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace posture {
@@ -31,23 +32,32 @@ void nearestBothWays(const Eigen::Ref<const Eigen::MatrixXf>& a,
                      std::vector<int>& backward) {
   // One block of products serves both directions and stays in the cache.
   constexpr Eigen::Index BLOCK = 64;
-  const Eigen::VectorXf half_a = 0.5f * a.rowwise().squaredNorm(),
-                        half_b = 0.5f * b.rowwise().squaredNorm();
+  constexpr float FAR = std::numeric_limits<float>::infinity();
   const auto na = a.rows(), nb = b.rows();
+  Eigen::MatrixXf numbers = a;
+  Eigen::VectorXf half_a = 0.5f * a.rowwise().squaredNorm();
+  const Eigen::VectorXf half_b = 0.5f * b.rowwise().squaredNorm();
+  // What is no number is nobody's nearest. Taken out here: a minimum of what may hold some is not
+  // defined, or takes longer.
+  for (Eigen::Index i = 0; i < na; ++i)
+    if (!std::isfinite(half_a[i])) {
+      numbers.row(i).setZero();
+      half_a[i] = FAR;
+    }
   forward.assign(na, 0);
   backward.assign(nb, 0);
-  Eigen::VectorXf best_a = Eigen::VectorXf::Constant(na, std::numeric_limits<float>::infinity());
+  Eigen::VectorXf best_a = Eigen::VectorXf::Constant(na, FAR);
   Eigen::MatrixXf products;
   Eigen::VectorXf distance(na);
   for (Eigen::Index first = 0; first < nb; first += BLOCK) {
     const Eigen::Index width = std::min(BLOCK, nb - first);
-    products.noalias() = a * b.middleRows(first, width).transpose();
+    products.noalias() = numbers * b.middleRows(first, width).transpose();
     for (Eigen::Index j = 0; j < width; ++j) {
       const int row_b = static_cast<int>(first + j);
       distance = half_a - products.col(j);
       const float* const nearest =
           std::find(distance.data(), distance.data() + na, distance.minCoeff());
-      // What is no number is found nowhere.
+      // A row of b that is no number finds none.
       backward[row_b] = static_cast<int>(std::min(nearest - distance.data(), na - 1));
       keepLess(products.col(j).data(), half_b[row_b], row_b, best_a, forward);
     }

@@ -9,7 +9,7 @@
 namespace posture {
 
 /// For each row of `a` the nearest row of `b`, and the other way round; of equally near ones the
-/// first.
+/// first. A row that is not finite is nobody's nearest, and has any row.
 void nearestBothWays(const Eigen::Ref<const Eigen::MatrixXf>& a,
                      const Eigen::Ref<const Eigen::MatrixXf>& b,
                      std::vector<int>& forward,
