@@ -87,6 +87,13 @@ TEST_F(MeasureMiss, leadsOnFromWithinAFaceAndFromAVertexWhereACornerLeadsNowhere
   EXPECT_NEAR(measured(there, back).mean_miss, 0.1, 1e-12);
 }
 
+TEST_F(MeasureMiss, keepsNothingOfBeforeWhereNoVertexHasBothWays) {
+  WayBack way{moved(0), 0.3, 0.7};
+  measureMiss(given_, mesh_, moved(COUNT), way);
+  EXPECT_EQ(way.mean_miss, 0);
+  EXPECT_EQ(way.percentile_95_miss, 0);
+}
+
 TEST_F(MeasureMiss, leavesTheCrumbOut) {
   Correspondence there = moved(0);
   for (int v = COUNT; v < COUNT + 3; ++v) there.on_target[v].vertex = 0;

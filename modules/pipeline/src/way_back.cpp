@@ -39,6 +39,7 @@ void measureMiss(const GivenShape& source,
                  const TriangleMesh& target,
                  const Correspondence& there,
                  WayBack& back) {
+  back.mean_miss = back.percentile_95_miss = 0;
   std::vector<double> miss;
   for (int v = 0; v < source.input.vertices.rows(); ++v) {
     if (source.clean.offset[v] > 0) continue;

@@ -23,7 +23,7 @@ TargetOnSource targetOnSource(const PosedSide& source,
                               const FullMap& there,
                               const RegistrationResult& result);
 
-/// How well both ways agree, into the way back.
+/// How well both ways agree, into the way back; 0 where no vertex has both.
 void measureMiss(const GivenShape& source,
                  const TriangleMesh& target,
                  const Correspondence& there,

@@ -103,7 +103,8 @@ struct ShapeSummary {
 struct WayBack {
   Correspondence correspondence;  ///< one row per target vertex (point) as given
   /// Of source vertices on the main surface that have both ways: how far from the vertex the way
-  /// there and back ends, straight, over the square root of the source's area.
+  /// there and back ends, straight, over the square root of the area of the source's surface that
+  /// was compared; 0 where there are none.
   double mean_miss = 0, percentile_95_miss = 0;
 };
 
