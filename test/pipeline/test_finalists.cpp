@@ -50,10 +50,12 @@ class ExchangeParts : public testing::Test {
   static const TriangleMesh& mesh() { return body().mesh; }
 
   /// Mean over the hand at an end, in edges.
-  static double missAt(int end, const VertexMaps& maps) {
+  static double missAt(int end, const VertexMaps& maps) { return missOf(end, maps.forward); }
+  static double missBackAt(int end, const VertexMaps& maps) { return missOf(end, maps.backward); }
+  static double missOf(int end, const std::vector<int>& map) {
     TriangleMesh facing = mesh();
     facing.vertices.col(0) *= end;
-    return test::meanMiss(facing, maps.forward);
+    return test::meanMiss(facing, map);
   }
 
   static double gap() { return 2 * meanEdgeLength(mesh()); }
@@ -62,15 +64,35 @@ class ExchangeParts : public testing::Test {
 TEST_F(ExchangeParts, theBestTakesTheHandThatAnotherHasRight) {
   const Finalist best = woundAt(1), other = woundAt(-1);
   ASSERT_GT(missAt(1, best.maps), 1);
+  ASSERT_GT(missBackAt(1, best.maps), 1);
   ASSERT_LT(missAt(-1, best.maps), 0.1);
   std::vector<Finalist> finalists{best, other};
   exchangeParts(body(), body(), gap(), finalists);
   ASSERT_EQ(finalists.size(), 3U);
   EXPECT_LT(missAt(1, finalists[0].maps), 0.2);
   EXPECT_LT(missAt(-1, finalists[0].maps), 0.2);
+  EXPECT_LT(missBackAt(1, finalists[0].maps), 0.2);
+  EXPECT_LT(missBackAt(-1, finalists[0].maps), 0.2);
   EXPECT_LT(finalists[0].score.total(), best.score.total() - 0.1);
   EXPECT_EQ(finalists[1].maps.forward, best.maps.forward) << "what it was made of stays";
   EXPECT_EQ(finalists[2].maps.forward, other.maps.forward);
+}
+
+TEST_F(ExchangeParts, theMixtureKeepsNothingThatWasOfTheOtherMap) {
+  Finalist best = woundAt(1);
+  best.bent = BentPair{best.maps, mesh().vertices, mesh().vertices};
+  best.laid = true;
+  best.scale = 1.1;
+  best.orientation = 0.7;
+  std::vector<Finalist> finalists{best, woundAt(-1)};
+  exchangeParts(body(), body(), gap(), finalists);
+  ASSERT_EQ(finalists.size(), 3U);
+  EXPECT_FALSE(finalists[0].bent);
+  EXPECT_FALSE(finalists[0].laid);
+  EXPECT_EQ(finalists[0].scale, 1);
+  EXPECT_EQ(finalists[0].orientation, 0.7);
+  EXPECT_TRUE(finalists[1].bent) << "what it was made of stays";
+  EXPECT_TRUE(finalists[1].laid);
 }
 
 TEST_F(ExchangeParts, nothingIsTakenThatMakesItWorse) {

@@ -183,8 +183,11 @@ void exchangeParts(const SpectralSurface& source,
       }
     if (best < 0) return;
     if (round == 0) finalists.insert(finalists.begin(), finalists.front());
-    finalists.front().maps = mixed[best];
-    finalists.front().score = scores[best];
+    Finalist mixture;  // bent from its maps alone, on the surfaces as they are
+    mixture.orientation = finalists.front().orientation;
+    mixture.maps = std::move(mixed[best]);
+    mixture.score = scores[best];
+    finalists.front() = std::move(mixture);
   }
 }
 
