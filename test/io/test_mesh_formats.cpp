@@ -235,6 +235,14 @@ TEST(MeshFormats, zerosAndTheEndOfFileMarkOfDosMayStandBehindText) {
   EXPECT_GE(texts, 2);
 }
 
+TEST(MeshFormats, asManyOfThemAsThereAre) {
+  const std::string two_faces = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  std::string end;
+  for (int i = 0; i < 1000000; ++i) end += i % 2 == 0 ? '\0' : '\n';
+  EXPECT_EQ(parse(".off", two_faces + end).mesh.faces, faces({{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_THROW(parse(".off", two_faces + end + "x"), InputError);
+}
+
 TEST(Ply, whatIsNoFaceMayStandBehindTheLast) {
   const TriangleMesh mesh = test::grid(1, 1, 1, 1);
   for (const test::EncodedMesh& file : test::encodeEveryWay(mesh)) {

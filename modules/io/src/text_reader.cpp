@@ -58,11 +58,11 @@ std::string lowercase(std::string_view text) {
 }
 
 bool TextReader::atEnd() {
-  const std::string_view rest = word();
   constexpr char DOS_END_OF_FILE = '\x1a';
-  return std::all_of(
-             rest.begin(), rest.end(), [](char c) { return c == '\0' || c == DOS_END_OF_FILE; }) &&
-         (rest.empty() || atEnd());
+  const auto pads = [](char c) { return c == '\0' || c == DOS_END_OF_FILE; };
+  std::string_view rest = word();
+  while (!rest.empty() && std::all_of(rest.begin(), rest.end(), pads)) rest = word();
+  return rest.empty();
 }
 
 void TextReader::skipBlanks() {
