@@ -8,9 +8,10 @@
 
 namespace posture {
 
-/// A file that appears whole or not at all: it has no name before commit(). Without commit() - an
-/// exception, an early return, a signal - nothing is left. On file systems without such files (NFS)
-/// it has a hidden name beside its place meanwhile, which a signal leaves behind.
+/// A file that appears whole or not at all, whatever ends the process: it has no name before
+/// commit(). Without commit() - an exception, an early return, a signal - nothing is left. On file
+/// systems without such files (NFS) it has a hidden name beside its place meanwhile, which a signal
+/// leaves behind. When the machine itself stops, what was committed last may be lost or cut short.
 class AtomicFile {
  public:
   /// \throws InputError  the folder does not exist or cannot be written to.
@@ -36,7 +37,7 @@ class AtomicFile {
   bool committed_ = false;
 };
 
-/// Writes the whole file or nothing.
+/// Writes the whole file or nothing, as AtomicFile does.
 /// \throws InputError  as AtomicFile.
 void writeFile(const std::filesystem::path& path, std::string_view bytes);
 
