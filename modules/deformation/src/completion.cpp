@@ -88,50 +88,19 @@ class Level {
       weighMatches();
       minimise();
     }
-    findPlaces();
   }
 
   const Points& places() const { return places_; }
 
-  void report(Completion& completion) const {
-    completion.iterations += iterations_;
-    const auto mean = [](double sum, std::size_t count) {
-      return count > 0 ? sum / static_cast<double>(count) : 0;
-    };
-    double isometry = 0, encoding = 0, surface = 0, matches = 0;
-    std::size_t on_surface = 0, believed = 0;
-    for (const StiffEdge& e : stiff_) {
-      const double change = length(places_, e.edge) / e.length;
-      isometry += std::pow(0.5 * e.weight * (change * change - 1), 2);
-    }
-    for (int v = 0; v < places_.rows(); ++v) {
-      std::vector<Vector3d> corners;
-      for (int i = encoding_.first[v]; i < encoding_.first[v + 1]; ++i)
-        corners.emplace_back(places_.row(encoding_.corner[i]));
-      encoding +=
-          (meanValueResidual(encoding_, v, places_.row(v), corners, false).value / radii_[v])
-              .squaredNorm();
-      const SurfacePlace& on = on_target_[v];
-      const Vector3d place = places_.row(v);
-      if (!on.beyond_rim) {
-        surface += std::pow(on.normal.dot(place - on.place), 2);
-        ++on_surface;
-      }
-      if (belief_[v] > 0.25) {  // of 1 at the place itself
-        matches += (place - matches_[v].place).squaredNorm();
-        ++believed;
-      }
-    }
-    completion.isometry = mean(isometry, stiff_.size());
-    completion.encoding = mean(encoding, places_.rows());
-    completion.surface = mean(surface, on_surface);
-    completion.matches = mean(matches, believed);
-    completion.on_target.resize(on_target_.size());
-    for (std::size_t v = 0; v < on_target_.size(); ++v)
+  std::vector<SurfacePoint> findOnTarget() {
+    findPlaces();
+    std::vector<SurfacePoint> found(on_target_.size());
+    for (std::size_t v = 0; v < found.size(); ++v)
       if (!on_target_[v].beyond_rim &&
           (!target_.hasBoundary() ||
            (on_target_[v].place - Vector3d(places_.row(static_cast<int>(v)))).norm() < FARTHEST))
-        completion.on_target[v] = on_target_[v].at;
+        found[v] = on_target_[v].at;
+    return found;
   }
 
  private:
@@ -225,7 +194,6 @@ class Level {
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
     if (summary.iterations.empty()) return;  // refused: the places stay as they are
-    iterations_ += static_cast<int>(summary.iterations.size()) - 1;
     radius_ = summary.iterations.back().trust_region_radius;
   }
 
@@ -239,7 +207,6 @@ class Level {
   std::vector<double> belief_;
   const TargetSurface& target_;
   std::vector<SurfacePlace> on_target_;
-  int iterations_ = 0;
   double stiffness_ = 1, radius_ = FIRST_RADIUS;
 };
 
@@ -302,11 +269,10 @@ Completion completeDeformation(const TriangleMesh& source,
     Level level(reduced.mesh, std::move(reduced_places), std::move(reduced_known), surface);
     level.settle(FULL_ROUNDS);
     places = applyDeformation(reduced.mesh, level.places(), rest.vertices);
-    level.report(completion);
   }
   Level level(rest, std::move(places), std::move(known), surface);
   level.settle(coarse_first ? FINE_ROUNDS : FULL_ROUNDS);
-  level.report(completion);
+  completion.on_target = level.findOnTarget();
   completion.places = (unit * level.places()).rowwise() + centre;
   return completion;
 }

@@ -16,11 +16,6 @@ struct Completion {
   /// is where the source's own shape puts it.
   std::vector<SurfacePoint> on_target;
   double scale = 1;  ///< a source length times this is a target length
-  /// What is left of each energy, a mean without unit: squared relative changes of edge lengths,
-  /// squared mean-value residuals over the polygon's radius, squared distances from the target's
-  /// surface and from the matches in target edges (of those believed).
-  double isometry = 0, encoding = 0, surface = 0, matches = 0;
-  int iterations = 0;  ///< of the least-squares solver, at all resolutions
 };
 
 /// Deforms the whole source so that it goes through the known matches (section 6.2), by least
