@@ -289,6 +289,28 @@ TEST(MeanValueEncoding, refusesWhatDoesNotDetermineAShape) {
   EXPECT_THROW(encodeMeanValues(loose), std::invalid_argument);
 }
 
+TEST(MeanValueEncoding, hasALayoutOnlyWhereAskedFor) {
+  for (const TriangleMesh& mesh : shapes()) {
+    const MeanValueEncoding with = encodeMeanValues(mesh), without = encodeMeanValues(mesh, false);
+    EXPECT_EQ(without.first, with.first);
+    EXPECT_EQ(without.corner, with.corner);
+    EXPECT_EQ(without.weight, with.weight);
+    EXPECT_EQ(without.offset, with.offset);
+    EXPECT_EQ(with.layout.size(), static_cast<std::size_t>(mesh.vertices.rows()));
+    EXPECT_TRUE(without.layout.empty());
+  }
+  const TriangleMesh mesh = bumpy();
+  const std::vector<int> fixed{0, 20, 40};
+  EXPECT_THROW(decodeMeanValues(encodeMeanValues(mesh, false), fixed, rows(mesh.vertices, fixed)),
+               std::invalid_argument);
+}
+
+TEST(MeanValueEncoding, refusesWhatIsTooSmallToHaveAnArea) {
+  TriangleMesh mesh = test::sphere(1);
+  mesh.vertices *= 1e-100;  // the square of an area vanishes
+  EXPECT_THROW(encodeMeanValues(mesh), std::invalid_argument);
+}
+
 TEST(MeanValueEncoding, reproducesShapesOfTheBenchmark) {
   const char* const folder = std::getenv("POSTURE_BENCHMARK");
   if (folder == nullptr) GTEST_SKIP() << "POSTURE_BENCHMARK names no folder with the benchmark";

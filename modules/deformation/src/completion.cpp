@@ -60,7 +60,7 @@ class Level {
         const TargetSurface& target)
       : rest_(rest),
         neighbors_(rest.faces, static_cast<int>(rest.vertices.rows())),
-        encoding_(encodeMeanValues(rest)),
+        encoding_(encodeMeanValues(rest, false)),
         places_(std::move(places)),
         matches_(std::move(matches)),
         target_(target),

@@ -78,6 +78,8 @@ Points decodeMeanValues(const MeanValueEncoding& encoding,
   require(places.rows() == static_cast<Eigen::Index>(fixed.size()),
           "decodeMeanValues: one place a fixed vertex");
   require(start.rows() == 0 || start.rows() == n, "decodeMeanValues: one start a vertex");
+  require(static_cast<int>(encoding.layout.size()) == n,
+          "decodeMeanValues: an encoding without a layout");
   std::vector<int> fixed_row(n, -1);
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     require(fixed[i] >= 0 && fixed[i] < n && fixed_row[fixed[i]] < 0,

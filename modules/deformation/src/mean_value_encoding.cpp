@@ -25,7 +25,7 @@ class Encoder {
         count_(static_cast<int>(mesh.vertices.rows())),
         neighbors_(mesh.faces, count_) {}
 
-  MeanValueEncoding encode(const TriangleMesh& mesh) {
+  MeanValueEncoding encode(const TriangleMesh& mesh, bool with_layout) {
     const ManifoldMesh manifold = cutNonManifold(mesh);
     const HalfEdgeMesh half_edges(manifold.mesh.faces,
                                   static_cast<int>(manifold.mesh.vertices.rows()));
@@ -34,7 +34,6 @@ class Encoder {
       cut[manifold.original_vertex[v]] = 1;
     encoding_.first.assign(1, 0);
     encoding_.offset.resize(count_);
-    frames_.reserve(count_);
     for (int v = 0; v < count_; ++v) {
       require(neighbors_.begin(v) != neighbors_.end(v), "encodeMeanValues: a vertex in no face");
       std::vector<int> ring;
@@ -42,7 +41,7 @@ class Encoder {
         for (int w : half_edges.neighbors(v)) ring.push_back(manifold.original_vertex[w]);
       add(v, std::move(ring));
     }
-    layOut();
+    if (with_layout) layOut();
     return std::move(encoding_);
   }
 
@@ -66,10 +65,10 @@ class Encoder {
     if (!weight) {
       polygon = triangleNear(v);
       weight = meanValueWeights(place(v), placesOf(polygon), true);
+      require(weight.has_value(), "encodeMeanValues: a part of the mesh is too small");
     }
     const std::vector<Vector3d> corners = placesOf(polygon);
     const PolygonFrame frame(corners);
-    frames_.push_back({polygonAxes(frame, corners), frame.radius});
     Vector3d rest = place(v);
     for (std::size_t k = 0; k < corners.size(); ++k) rest -= (*weight)[k] * corners[k];
     encoding_.offset[v] = rest.dot(frame.normal()) / frame.radius;
@@ -118,7 +117,18 @@ class Encoder {
     return {{a, b, c}, height > ROUNDING ? height : 0};
   }
 
+  /// Of a vertex's polygon.
+  Frame frameOf(int v) const {
+    const std::vector<Vector3d> corners =
+        placesOf({encoding_.corner.begin() + encoding_.first[v],
+                  encoding_.corner.begin() + encoding_.first[v + 1]});
+    const PolygonFrame frame(corners);
+    return {polygonAxes(frame, corners), frame.radius};
+  }
+
   void layOut() {
+    std::vector<Frame> frames;
+    for (int v = 0; v < count_; ++v) frames.push_back(frameOf(v));
     std::vector<char> placed(count_, 0);
     for (int root = 0; root < count_; ++root) {
       if (placed[root]) continue;
@@ -130,7 +140,7 @@ class Encoder {
         for (const int* w = neighbors_.begin(u); w != neighbors_.end(u); ++w) {
           if (placed[*w]) continue;
           placed[*w] = 1;
-          const Frame &from = frames_[u], &to = frames_[*w];
+          const Frame &from = frames[u], &to = frames[*w];
           encoding_.layout.push_back(
               {*w,
                u,
@@ -145,13 +155,14 @@ class Encoder {
   const Points& places_;
   int count_;
   VertexNeighbors neighbors_;
-  std::vector<Frame> frames_;
   MeanValueEncoding encoding_;
 };
 
 }  // namespace
 
-MeanValueEncoding encodeMeanValues(const TriangleMesh& mesh) { return Encoder(mesh).encode(mesh); }
+MeanValueEncoding encodeMeanValues(const TriangleMesh& mesh, bool with_layout) {
+  return Encoder(mesh).encode(mesh, with_layout);
+}
 
 MeanValueResidual meanValueResidual(const MeanValueEncoding& encoding,
                                     int i,

@@ -44,13 +44,15 @@ struct MeanValueEncoding {
   std::vector<int> corner;     ///< vertices, in the order of the polygon
   std::vector<double> weight;  ///< as corner; those of a vertex sum to 1
   Vector offset;               ///< n
-  std::vector<Step> layout;    ///< each vertex after the one it is placed from
+  std::vector<Step> layout;    ///< each vertex after the one it is placed from; if asked for
 
   int vertexCount() const { return static_cast<int>(offset.size()); }
 };
 
-/// \throws std::invalid_argument  a vertex in no face, or a connected part within a line.
-MeanValueEncoding encodeMeanValues(const TriangleMesh& mesh);
+/// \param with_layout  as decodeMeanValues() asks for; otherwise layout stays empty.
+/// \throws std::invalid_argument  a vertex in no face, a connected part within a line, or one too
+///         small to compute with.
+MeanValueEncoding encodeMeanValues(const TriangleMesh& mesh, bool with_layout = true);
 
 /// v_i minus where the encoding would have it, and how that changes with v_i (always the identity)
 /// and with the corners.
@@ -78,7 +80,7 @@ MeanValueResidual meanValueResidual(const MeanValueEncoding& encoding,
 /// \param places  one row each.
 /// \param start  n x 3, to start from instead; empty: none.
 /// \throws std::invalid_argument  a connected part with fewer than three fixed vertices, or all in
-///         one line.
+///         one line; an encoding without a layout.
 Points decodeMeanValues(const MeanValueEncoding& encoding,
                         const std::vector<int>& fixed,
                         const Points& places,
