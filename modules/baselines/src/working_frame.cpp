@@ -5,8 +5,7 @@
 #include <posture/core/computable.h>
 #include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
-
-#include <Eigen/SVD>
+#include <posture/mesh/nearest_rotation.h>
 
 #include <algorithm>
 #include <vector>
@@ -56,11 +55,8 @@ LocalCloud WorkingFrame::local(const PointCloud& cloud) const {
 }
 
 Eigen::Isometry3d WorkingFrame::given(const Eigen::Matrix4d& motion) const {
-  const Eigen::Matrix3d near_rotation = motion.topLeftCorner<3, 3>();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(near_rotation,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() = svd.matrixU() * svd.matrixV().transpose();
+  result.linear() = nearestRotation(motion.topLeftCorner<3, 3>());
   result.translation() =
       unit_ * motion.topRightCorner<3, 1>() + center_ - result.linear() * center_;
   return result;

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+#include "working_frame.h"
+
+namespace posture {
+namespace {
+
+TEST(WorkingFrame, aMotionInItIsOneOfTheGivenClouds) {
+  const Points target = (30 * test::randomPoints(200, 1)).rowwise() + Eigen::RowVector3d(500, 0, 7);
+  const WorkingFrame frame(target, 4);
+  const Eigen::Isometry3d motion =
+      Eigen::Translation3d(1, 2, -1) * Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 2) / 3);
+  PointCloud cloud;
+  cloud.points = 20 * test::randomPoints(50, 2);
+  const Points local = frame.local(cloud).points, moved = (motion * local.transpose()).transpose();
+  cloud.points = (frame.given(motion.matrix()) * cloud.points.transpose()).transpose();
+  EXPECT_LT((frame.local(cloud).points - moved).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(WorkingFrame, whatIsNearlyAMotionBecomesOneAndNoMirroring) {
+  const WorkingFrame frame(test::randomPoints(200, 1), 1);
+  for (const double last : {0.999, 1e-3, -1e-3, -1.0}) {
+    Eigen::Matrix4d motion = Eigen::Matrix4d::Identity();
+    motion(2, 2) = last;
+    const Eigen::Matrix3d turn = frame.given(motion).linear();
+    EXPECT_NEAR(turn.determinant(), 1, 1e-12) << last;
+    EXPECT_LT((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12) << last;
+  }
+}
+
+}  // namespace
+}  // namespace posture
