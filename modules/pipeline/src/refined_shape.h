@@ -7,6 +7,7 @@
 #include <posture/refine/sample_maps.h>
 #include <posture/refine/settle.h>
 #include <posture/refine/surface.h>
+#include <posture/spectral/spectral_basis.h>
 
 #include <string>
 #include <vector>
