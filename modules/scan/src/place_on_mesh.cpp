@@ -3,7 +3,7 @@
 #include "place_on_mesh.h"
 
 #include <posture/core/error.h>
-#include <posture/mesh/nearest_in_triangle.h>
+#include <posture/mesh/nearest_on_faces.h>
 
 #include <Eigen/Geometry>
 
@@ -61,21 +61,14 @@ struct MeshLocator::Tree {
     return number;
   }
 
-  struct Best {
-    double distance_sq = std::numeric_limits<double>::infinity();
-    int face = -1;
-    Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
-  };
-
-  void tryFace(int face, const Eigen::Vector3d& p, Best& best) const {
-    const Eigen::Vector3d a = corner(face, 0), b = corner(face, 1), c = corner(face, 2);
-    const Eigen::Vector3d w = nearestInTriangle<Eigen::Vector3d>(p, a, b, c);
-    const double distance_sq = (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
-    if (distance_sq < best.distance_sq || (distance_sq == best.distance_sq && face < best.face))
-      best = {distance_sq, face, w};
+  void tryFace(int face, const Eigen::Vector3d& p, NearestPlace& best) const {
+    NearestPlace there;
+    lookInFace(mesh.vertices, mesh.faces, face, p, there);
+    if (there.squared < best.squared || (there.squared == best.squared && face < best.face))
+      best = there;
   }
 
-  void search(int number, const Eigen::Vector3d& p, Best& best) const {
+  void search(int number, const Eigen::Vector3d& p, NearestPlace& best) const {
     const Node& node = nodes[number];
     if (node.left == 0) {
       for (int i = node.first; i < node.last; ++i) tryFace(order[i], p, best);
@@ -88,8 +81,8 @@ struct MeshLocator::Tree {
       std::swap(near, far);
       std::swap(near_sq, far_sq);
     }
-    if (near_sq <= best.distance_sq) search(near, p, best);
-    if (far_sq <= best.distance_sq) search(far, p, best);
+    if (near_sq <= best.squared) search(near, p, best);
+    if (far_sq <= best.squared) search(far, p, best);
   }
 };
 
@@ -97,10 +90,10 @@ MeshLocator::MeshLocator(const TriangleMesh& mesh) : tree_(std::make_unique<Tree
 MeshLocator::~MeshLocator() = default;
 
 MeshLocator::Place MeshLocator::nearest(const Eigen::Vector3d& point) const {
-  Tree::Best best;
+  NearestPlace best;
   tree_->search(0, point, best);
   require(best.face >= 0, "MeshLocator: a distance that is not finite");
-  Place place{{-1, best.face, best.barycentric}, std::sqrt(best.distance_sq)};
+  Place place{{-1, best.face, best.barycentric}, std::sqrt(best.squared)};
   double shortest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
     const double distance_sq = (tree_->corner(best.face, k) - point).squaredNorm();
