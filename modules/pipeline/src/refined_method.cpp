@@ -48,8 +48,9 @@ ShapeSummary summarize(const GivenShape& given, const RefinedShape& shape) {
   return summary;
 }
 
-/// The same for a side, its parts and with its holes closed, so that scores of all can be compared,
-/// and however often the file has a vertex.
+/// How many vertices a side counts as where the other one is reduced. The same for a side, its
+/// parts and with its holes closed, so that scores of all can be compared, and however often the
+/// file has a vertex.
 int vertexCount(const GivenShape& given, const RefinedShape& shape) {
   return shape.parts.empty() ? cornerPlaces(given.input, given.ownVertices())
                              : static_cast<int>(shape.full.vertices.rows());

@@ -19,6 +19,7 @@ namespace posture {
 /// \param keep  n, non-zero for the vertices to keep.
 /// \return faces between kept vertices, in the numbering of `mesh`. Non-manifold meshes are cut
 ///         open first, so an edge may have more than two faces again.
+/// \throws std::invalid_argument  not one flag a vertex.
 Faces collapseToVertices(const TriangleMesh& mesh, const std::vector<char>& keep);
 
 }  // namespace posture

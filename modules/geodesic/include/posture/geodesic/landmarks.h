@@ -23,10 +23,11 @@ struct Landmarks {
 /// is farther than a mean edge length from a sample - closer samples could not be told apart - or
 /// after `most` samples.
 /// Fills `vertices`, `nearest` and `covering_radius` only.
+/// \throws std::invalid_argument  the mesh has no faces.
 Landmarks voronoiSamples(const TriangleMesh& mesh, const FastMarching& marching, int most = 1000);
 
 /// As above, but ends at a covering radius of `spacing`, in mesh units; 0: at `most` samples or
-/// when every vertex is one.
+/// when every vertex is one. \throws std::invalid_argument  the mesh has no faces.
 Landmarks voronoiSamples(const TriangleMesh& mesh,
                          const FastMarching& marching,
                          int most,
@@ -36,6 +37,7 @@ Landmarks voronoiSamples(const TriangleMesh& mesh,
 /// w = 1 - m_h / m: of the m steps of the path (edges, or longer ones over unfolded faces, see
 /// GeodesicField), m_h lie on the boundary of the surface, where the
 /// path had to go round a hole.
+/// \throws std::invalid_argument  the mesh has no faces.
 Landmarks computeLandmarks(const TriangleMesh& mesh, const FastMarching& marching, int most = 1000);
 
 /// Symmetric s x s distances between the samples: the mean of both directions.

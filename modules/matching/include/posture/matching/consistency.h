@@ -28,6 +28,7 @@ double consistencyThreshold(const std::vector<Matrix>& matrices);
 /// M = ((C - c0) / (1 - c0))^2 where C > c0, else 0 (Huang et al. 2008), the strongest match is
 /// taken, those inconsistent with it (C <= c0) are dropped, and so on.
 /// \return indices into the matches, ascending.
+/// \throws std::invalid_argument  a threshold of 1 or more.
 std::vector<int> consistencyKernel(const Matrix& consistency, double threshold);
 
 }  // namespace posture

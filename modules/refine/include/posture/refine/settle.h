@@ -35,7 +35,7 @@ double settlingSoftness(const Vector& eigenvalues_a, const Vector& eigenvalues_b
 /// Lets two surfaces that lie nearly on each other settle: in turn bends each as rigidly as
 /// possible towards its image, to places in faces, and moves each vertex's match along the other
 /// surface to where places and normals agree best, seen from both sides at once.
-/// \param softness  as for Arap::pull.
+/// \param softness  as for Arap::attract.
 void settle(const BendableSurface& a,
             const BendableSurface& b,
             double softness,

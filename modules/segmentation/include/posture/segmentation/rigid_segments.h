@@ -43,6 +43,7 @@ struct RigidSegments {
 ///    has less than half a per cent of the area.
 /// 3. The motion of a part is fitted once more with less weight on faces that bend, as next to
 ///    joints.
+/// \param rest  all its vertices finite, those in no face as well.
 /// \param poses  each n x 3: the mesh's vertices in that pose, in any unit.
 /// \throws std::invalid_argument  no pose, sizes that do not agree, a mesh without area, or
 ///         places of a pose that are no numbers.

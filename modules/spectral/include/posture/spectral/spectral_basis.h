@@ -13,7 +13,8 @@ struct SpectralBasis {
 };
 
 /// \param count  how many functions; fewer come back on a mesh with hardly more vertices.
-/// \throws std::runtime_error  the eigenvalues do not converge.
+/// \throws std::invalid_argument  fewer than three vertices, or no function asked for.
+/// \throws std::runtime_error  it cannot be factorised, or the eigenvalues do not converge.
 SpectralBasis spectralBasis(const Laplacian& laplacian, int count);
 
 }  // namespace posture
