@@ -204,6 +204,9 @@ TEST(ApplyDeformation, refusesWhatDoesNotFit) {
   EXPECT_THROW(applyDeformation(mesh, mesh.vertices.topRows(4), mesh.vertices),
                std::invalid_argument);
   EXPECT_THROW(applyDeformation({}, Points(0, 3), mesh.vertices), std::invalid_argument);
+  TriangleMesh no_corner = mesh;
+  no_corner.faces(0, 1) = static_cast<int>(mesh.vertices.rows());
+  EXPECT_THROW(applyDeformation(no_corner, mesh.vertices, mesh.vertices), std::invalid_argument);
   EXPECT_THROW(turnDirections(mesh, mesh.vertices, mesh.vertices, Points(1, 3)),
                std::invalid_argument);
   EXPECT_EQ(applyDeformation(mesh, mesh.vertices, Points(0, 3)).rows(), 0);

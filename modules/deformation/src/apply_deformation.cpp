@@ -9,6 +9,7 @@
 #include <posture/mesh/edges.h>
 #include <posture/mesh/nearest_on_faces.h>
 #include <posture/mesh/point_index.h>
+#include <posture/mesh/require_mesh.h>
 #include <posture/mesh/vertex_neighbors.h>
 #include <posture/mesh/weld.h>
 
@@ -131,6 +132,7 @@ class FrameBlend {
 void requireSurface(const TriangleMesh& source, const Points& deformed) {
   require(deformed.rows() == source.vertices.rows(), "applyDeformation: one place a vertex");
   require(source.vertices.rows() > 0, "applyDeformation: no vertices");
+  requireMesh(source);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace posture {
 /// \param deformed  n x 3, where the vertices went.
 /// \param points    p x 3, in the frame and unit of the source.
 /// \return p x 3, in those of `deformed`.
-/// \throws std::invalid_argument  sizes that do not agree, or no vertices.
+/// \throws std::invalid_argument  sizes that do not agree, or no vertices; as requireMesh().
 Points applyDeformation(const TriangleMesh& source, const Points& deformed, const Points& points);
 
 /// Turns directions, say normals, at points by the same blend of the frames near them.
