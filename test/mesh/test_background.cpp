@@ -106,6 +106,16 @@ TEST(BackgroundFaces, areFoundInAnyFrameAndUnitAndUnderNoise) {
   }
 }
 
+TEST(BackgroundFaces, areFoundUnderABodyThatLies) {
+  TriangleMesh body = person(1);
+  body.vertices = body.vertices * Eigen::AngleAxisd(1.57, Eigen::Vector3d::UnitX()).matrix();
+  const TriangleMesh mesh = standingOn(floorOf(2, 0.003), body);
+  const std::vector<char> background = backgroundFaces(mesh);
+  const auto of_body = static_cast<std::ptrdiff_t>(body.faces.rows());
+  EXPECT_LT(std::count(background.begin() + of_body, background.end(), 0), 40);
+  EXPECT_LT(std::count(background.begin(), background.begin() + of_body, 1), 0.2 * of_body);
+}
+
 TEST(BackgroundFaces, areFoundWhereBodyAndFloorAreOneSurface) {
   const TriangleMesh body = animal(0);
   TriangleMesh mesh = standingOn(floorOf(1.5), body);

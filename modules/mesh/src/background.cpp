@@ -239,7 +239,7 @@ double shareOver(const AreaSamples& samples,
 /// Whether a plane is background of the samples in none of the planes. Its normal then points to
 /// them.
 bool isBehind(const AreaSamples& samples, const std::vector<int>& body, Plane& plane) {
-  constexpr double ON_ONE_SIDE = 0.9, MOSTLY_BARE = 0.5, MOSTLY_OVER = 0.5, HIGH = 10;
+  constexpr double ON_ONE_SIDE = 0.9, MOSTLY_BARE = 0.5, MOSTLY_OVER = 0.5, HIGH = 4;
   std::vector<double> heights;
   for (int i : body) heights.push_back(plane.height(samples.points.row(i)));
   const auto above =
