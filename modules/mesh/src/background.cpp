@@ -24,11 +24,12 @@ constexpr int SAMPLES = 4096, SEEDS = 256;
 /// How far around a seed a plane is begun with, and how far from it such a plane may be.
 constexpr double SEED_RADIUS = 0.06, SEED_REACH = 0.005;
 
-/// What a scanner makes of a plane is at least as thick as this.
-constexpr double LEAST_REACH = 0.002;
+/// How thick a scanner makes a plane, at least and at most.
+constexpr double LEAST_REACH = 0.002, MOST_REACH = 0.015;
 
-/// Three deviations of vertices, of which places in faces have 1 / sqrt(2).
-constexpr double THICKNESS = 3 * 1.4142135623730951;
+/// Of what is within the most, what is within half of it: of a part of a body that is nearly flat
+/// hardly more than half.
+constexpr double LEAST_DENSE = 0.85;
 
 /// Of the area: smaller planes are parts of bodies, or hardly matter.
 constexpr double LEAST_PLANE = 0.05;
@@ -127,6 +128,24 @@ std::optional<Plane> planeAround(int seed,
   return scatter < SEED_REACH ? std::optional(plane) : std::nullopt;
 }
 
+/// How far what is in a plane lies from it; none: it is no plane, or holds few of some samples.
+std::optional<double> reachOf(Plane plane,
+                              const AreaSamples& samples,
+                              const std::vector<int>& among) {
+  plane.reach = MOST_REACH;
+  std::vector<double> distances;
+  for (int i : heldBy(plane, samples, among))
+    distances.push_back(std::abs(plane.height(samples.points.row(i))));
+  std::sort(distances.begin(), distances.end());
+  const auto n = static_cast<double>(distances.size());
+  const auto near =
+      std::upper_bound(distances.begin(), distances.end(), 0.5 * MOST_REACH) - distances.begin();
+  if (n < LEAST_PLANE * SAMPLES || static_cast<double>(near) < LEAST_DENSE * n) return std::nullopt;
+  // Twice what 95 in 100 lie within is four deviations, three of vertices, which scatter more.
+  const double most = distances[static_cast<std::size_t>(0.95 * n)];
+  return std::clamp(2 * most, LEAST_REACH, MOST_REACH);
+}
+
 /// The plane that holds most of some samples, as thick as they make it; none: it holds few.
 std::optional<Plane> largestPlane(const AreaSamples& samples, const std::vector<int>& among) {
   std::optional<Plane> best;
@@ -140,14 +159,13 @@ std::optional<Plane> largestPlane(const AreaSamples& samples, const std::vector<
     most = held;
     best = plane;
   }
+  if (!best) return std::nullopt;
   constexpr int ROUNDS = 3;
-  for (int round = 0; best && round < ROUNDS; ++round) {
-    const std::vector<int> held = heldBy(*best, samples, among);
-    if (held.size() < LEAST_PLANE * SAMPLES) return std::nullopt;
-    const auto [plane, scatter] = fitPlane(samples, held);
-    best = plane;
-    best->reach = std::max(LEAST_REACH, THICKNESS * scatter);
-  }
+  for (int round = 0; round < ROUNDS; ++round)
+    best = fitPlane(samples, heldBy(*best, samples, among)).first;
+  const std::optional<double> reach = reachOf(*best, samples, among);
+  if (!reach) return std::nullopt;
+  best->reach = *reach;
   return best;
 }
 
@@ -239,7 +257,7 @@ double shareOver(const AreaSamples& samples,
 /// Whether a plane is background of the samples in none of the planes. Its normal then points to
 /// them.
 bool isBehind(const AreaSamples& samples, const std::vector<int>& body, Plane& plane) {
-  constexpr double ON_ONE_SIDE = 0.9, MOSTLY_BARE = 0.5, MOSTLY_OVER = 0.5, HIGH = 4;
+  constexpr double ON_ONE_SIDE = 0.75, MOSTLY_BARE = 0.5, MOSTLY_OVER = 0.5, HIGH = 4;
   std::vector<double> heights;
   for (int i : body) heights.push_back(plane.height(samples.points.row(i)));
   const auto above =
@@ -255,7 +273,7 @@ bool isBehind(const AreaSamples& samples, const std::vector<int>& body, Plane& p
                heights.begin(), heights.end(), [&](double height) { return height > least; })) /
            n;
   };
-  if (share(-plane.reach) < ON_ONE_SIDE || share(HIGH * plane.reach) < 0.5) return false;
+  if (share(-HIGH * plane.reach) < ON_ONE_SIDE || share(HIGH * plane.reach) < 0.5) return false;
   const Along along(plane);
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   for (int i : body) center += along(samples.points.row(i)) / n;
