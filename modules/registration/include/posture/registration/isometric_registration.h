@@ -127,8 +127,8 @@ class IsometricRegistration : public pcl::Registration<PointSource, PointTarget,
   /// and deformedSurface() take the result of registerShapes(), not this: see getSurface().
   const RegistrationResult& getResult() const { return clouds_.result; }
   /// The surface of the source and where its vertices went, for segmentRigidParts() and
-  /// applyDeformation(): of a mesh its finite points, of points the surface laid through them.
-  /// Without vertices where there is no answer.
+  /// applyDeformation(): of a mesh, or laid through the points, its vertices in an order of their
+  /// own. Without vertices where there is no answer.
   const DeformedSurface& getSurface() const { return clouds_.surface; }
   /// One line: how it went, or why there is no answer.
   const std::string& getMessage() const { return clouds_.result.message; }

@@ -46,7 +46,7 @@ void IsometricRegistration<PointSource, PointTarget, Scalar>::detach() {
     this->correspondence_estimation_ = this->correspondence_estimation_->clone();
   if (!this->force_no_recompute_) {
     this->tree_ = pcl::make_shared<typename Base::KdTree>();
-    if (this->target_ && !this->target_->empty()) this->tree_->setInputCloud(this->target_);
+    if (this->target_ && hasFinitePoint(*this->target_)) this->tree_->setInputCloud(this->target_);
   }
   if (!this->force_no_recompute_reciprocal_) {
     this->tree_reciprocal_ = pcl::make_shared<typename Base::KdTreeReciprocal>();
