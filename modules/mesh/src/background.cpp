@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -159,10 +161,12 @@ std::optional<Plane> largestPlane(const AreaSamples& samples, const std::vector<
     most = held;
     best = plane;
   }
-  if (!best) return std::nullopt;
   constexpr int ROUNDS = 3;
-  for (int round = 0; round < ROUNDS; ++round)
-    best = fitPlane(samples, heldBy(*best, samples, among)).first;
+  for (int round = 0; round < ROUNDS; ++round) {
+    const std::vector<int> held = best ? heldBy(*best, samples, among) : std::vector<int>();
+    if (held.size() < LEAST_PLANE * SAMPLES) return std::nullopt;
+    best = fitPlane(samples, held).first;
+  }
   const std::optional<double> reach = reachOf(*best, samples, among);
   if (!reach) return std::nullopt;
   best->reach = *reach;
@@ -284,9 +288,9 @@ bool isBehind(const AreaSamples& samples, const std::vector<int>& body, Plane& p
 
 /// The planes behind or beneath a body, with normals that point to it.
 std::vector<Plane> backgroundPlanes(const AreaSamples& samples) {
-  std::vector<Plane> planes;
+  std::vector<Plane> planes, background;
   std::vector<int> body(samples.points.rows());
-  for (std::size_t i = 0; i < body.size(); ++i) body[i] = static_cast<int>(i);
+  std::iota(body.begin(), body.end(), 0);
   while (static_cast<int>(planes.size()) < MOST_PLANES) {
     const std::optional<Plane> plane = largestPlane(samples, body);
     if (!plane) break;
@@ -296,11 +300,9 @@ std::vector<Plane> backgroundPlanes(const AreaSamples& samples) {
         body.end());
   }
   if (body.size() < LEAST_BODY * SAMPLES) return {};
-  planes.erase(std::remove_if(planes.begin(),
-                              planes.end(),
-                              [&](Plane& plane) { return !isBehind(samples, body, plane); }),
-               planes.end());
-  return planes;
+  for (Plane& plane : planes)
+    if (isBehind(samples, body, plane)) background.push_back(plane);
+  return background;
 }
 
 }  // namespace
