@@ -3,6 +3,7 @@
 #include <posture/mesh/edges.h>
 #include <posture/mesh/spikes.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
@@ -46,6 +47,21 @@ class Spikes : public testing::Test {
   const double edge_ = meanEdgeLength(sphere_);
   TriangleMesh spiky_ = sphere_;
 };
+
+TEST_F(Spikes, doNotDependOnHowTheMeshIsTurned) {
+  // Tips of all heights, about the limit among them.
+  for (double height = 4; height < 6; height += 0.01) {
+    TriangleMesh tip = cone(5, height);
+    tip.vertices.col(0).head(5) *= 1.6;  // no circle
+    const int as_it_is = setSpikesBack(tip);
+    for (double angle : {0.3, 1.1, 2.0}) {
+      TriangleMesh turned = cone(5, height);
+      turned.vertices.col(0).head(5) *= 1.6;
+      turned.vertices *= Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
+      EXPECT_EQ(setSpikesBack(turned), as_it_is) << height << " turned by " << angle;
+    }
+  }
+}
 
 TEST_F(Spikes, areSetBackAndNothingElseMoves) {
   const std::vector<int> out{7, 300, 1111};

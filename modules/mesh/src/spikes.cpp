@@ -17,16 +17,44 @@ namespace {
 /// them eleven have more, up to seven, at the sharpest tips; noise moves the neighbours as well.
 constexpr double FAR = 5;
 
+/// The place of the least sum of distances to some vertices (Weiszfeld 1937), which turns with
+/// them, as medians of coordinates do not.
+Eigen::RowVector3d geometricMedian(const Points& vertices, const int* begin, const int* end) {
+  // About one of them and at most one large, as squares of far ones would overflow.
+  const Eigen::RowVector3d origin = vertices.row(*begin);
+  double size = 0;
+  for (const int* w = begin; w != end; ++w)
+    size = std::max(size, (vertices.row(*w) - origin).cwiseAbs().maxCoeff());
+  if (!(size > 0)) return origin;
+  Eigen::RowVector3d median = Eigen::RowVector3d::Zero();
+  for (const int* w = begin; w != end; ++w)
+    median += (vertices.row(*w) - origin) / size / static_cast<double>(end - begin);
+  // A far one loses four fifths of its say in each round.
+  constexpr int MOST_ROUNDS = 100;
+  constexpr double AT_REST = 1e-14;
+  for (int round = 0; round < MOST_ROUNDS; ++round) {
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    double weights = 0;
+    for (const int* w = begin; w != end; ++w) {
+      const Eigen::RowVector3d place = (vertices.row(*w) - origin) / size;
+      const double distance = (place - median).norm();
+      if (!(distance > 0)) return origin + size * median;
+      sum += place / distance;
+      weights += 1 / distance;
+    }
+    const Eigen::RowVector3d before = median;
+    median = sum / weights;
+    if ((median - before).squaredNorm() < AT_REST * AT_REST) break;
+  }
+  return origin + size * median;
+}
+
 /// Medians, so that neighbours that are spikes do not count.
 bool isSpike(const Points& vertices, const VertexNeighbors& neighbors, int v) {
   const int *begin = neighbors.begin(v), *end = neighbors.end(v);
   if (end - begin < 3) return false;
+  const Eigen::RowVector3d middle = geometricMedian(vertices, begin, end);
   std::vector<double> values(end - begin);
-  Eigen::RowVector3d middle;
-  for (int k = 0; k < 3; ++k) {
-    std::transform(begin, end, values.begin(), [&](int w) { return vertices(w, k); });
-    middle[k] = lowerMedian(values);
-  }
   double nearest = std::numeric_limits<double>::infinity();
   for (const int* w = begin; w != end; ++w) {
     values[w - begin] = (vertices.row(*w) - middle).norm();
