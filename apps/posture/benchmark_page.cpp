@@ -70,8 +70,8 @@ std::string familyTable(const Json& families) {
          "most. Wrong side: the map is nearer to the left-right mirrored answer than to the true "
          "one, where both are known. Mapped: share of the source's vertices with a counterpart. "
          "Within 2 edges: share of the mapped points at most two edges from the true vertex. "
-         "Failed: not run (the input is not supported) or failed; the reason is in the table of "
-         "pairs. Seconds include reading the files; memory is the peak of the process that "
+         "No result: not run (the input is not supported) or failed; the reason is in the table "
+         "of pairs. Seconds include reading the files; memory is the peak of the process that "
          "registered the pair.\n";
 }
 

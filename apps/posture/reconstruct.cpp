@@ -75,7 +75,7 @@ void addReconstruct(CLI::App& app, Common& common) {
   auto options = std::make_shared<ReconstructOptions>();
   CLI::App* verb = app.add_subcommand(
       "reconstruct", "Lay a surface through the points of SCAN; what was not seen stays open");
-  verb->add_option("SCAN", options->scan, "Points: PCD, PLY, XYZ, TXT or CSV")->required();
+  verb->add_option("SCAN", options->scan, "Points: PCD, PLY, XYZ, TXT, CSV or PTS")->required();
   verb->add_option("-o,--output", options->mesh, "The mesh: PLY, OBJ or OFF")
       ->required()
       ->check(endsInOneOf(MESH_ENDINGS));

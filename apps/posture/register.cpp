@@ -97,7 +97,7 @@ void addRegister(CLI::App& app, Common& common) {
       "register", "Find for every point of SOURCE where it is on TARGET, a body in another pose");
   verb->add_option("SOURCE",
                    options->source,
-                   "Mesh (PLY, OBJ, OFF, STL, VTK) or points (PCD, PLY, XYZ, TXT, CSV)")
+                   "Mesh (PLY, OBJ, OFF, STL, VTK) or points (PCD, PLY, XYZ, TXT, CSV, PTS)")
       ->required();
   verb->add_option("TARGET", options->target, "The same, in any frame and unit")->required();
   verb->add_option("-o,--output", options->folder, "Folder for the results")->required();
