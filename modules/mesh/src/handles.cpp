@@ -1,25 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/shortest_ways.h>
 #include <posture/core/unions.h>
 #include <posture/mesh/half_edge_mesh.h>
 #include <posture/mesh/handles.h>
 
 #include <algorithm>
-#include <functional>
-#include <limits>
+#include <cmath>
 #include <numeric>
-#include <queue>
 #include <utility>
 
 namespace posture {
-namespace {
-
-constexpr double FAR = std::numeric_limits<double>::infinity();
-
-using Entry = std::pair<double, int>;
-using Front = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
-
-}  // namespace
 
 Handles::Handles(const TriangleMesh& mesh) : vertices_(static_cast<int>(mesh.vertices.rows())) {
   const HalfEdgeMesh edges(mesh.faces, vertices_);
@@ -62,37 +53,30 @@ Handles::Handles(const TriangleMesh& mesh) : vertices_(static_cast<int>(mesh.ver
 
 std::vector<std::vector<int>> Handles::loopsThrough(int base) const {
   if (count_ <= 0) return {};
-  std::vector<double> distance(vertices_, FAR);
-  std::vector<int> before(vertices_, -1), depth(vertices_, 0);
-  std::vector<char> in_tree(sides_.size(), 0), done(vertices_, 0);
-  std::vector<int> way(vertices_, -1);  // the side that led here
-  Front front;
-  distance[base] = 0;
-  front.emplace(0, base);
-  while (!front.empty()) {
-    const int v = front.top().second;
-    front.pop();
-    if (done[v]) continue;
-    done[v] = 1;
-    if (way[v] >= 0) in_tree[way[v]] = 1;
-    for (int i = first_[v]; i < first_[v + 1]; ++i) {
-      const auto [w, side] = steps_[i];
-      const double reach = distance[v] + sides_[side].length;
-      if (reach >= distance[w]) continue;
-      distance[w] = reach;
-      before[w] = v;
-      depth[w] = depth[v] + 1;
-      way[w] = side;
-      front.emplace(reach, w);
-    }
-  }
+  ShortestWays ways(vertices_);
+  std::vector<int> depth(vertices_, 0);
+  std::vector<char> in_tree(sides_.size(), 0);
+  ways.search(
+      {base},
+      [&](int v, const auto& step) {
+        for (int i = first_[v]; i < first_[v + 1]; ++i)
+          step(steps_[i].vertex, sides_[steps_[i].side].length);
+      },
+      [&](int v) {
+        const int before = ways.before(v);
+        if (before < 0) return true;
+        depth[v] = depth[before] + 1;
+        for (int i = first_[v]; i < first_[v + 1]; ++i)
+          if (steps_[i].vertex == before) in_tree[steps_[i].side] = 1;
+        return true;
+      });
   // The faces joined across the sides whose loops are longest; what then joins nothing is left.
   const auto length = [&](int s) {
-    return distance[sides_[s].a] + distance[sides_[s].b] + sides_[s].length;
+    return ways.distance(sides_[s].a) + ways.distance(sides_[s].b) + sides_[s].length;
   };
   std::vector<int> order;
   for (int s = 0; s < static_cast<int>(sides_.size()); ++s)
-    if (!in_tree[s] && done[sides_[s].a]) order.push_back(s);
+    if (!in_tree[s] && std::isfinite(ways.distance(sides_[s].a))) order.push_back(s);
   std::vector<double> lengths(sides_.size());
   for (int s : order) lengths[s] = length(s);
   std::stable_sort(
@@ -104,9 +88,9 @@ std::vector<std::vector<int>> Handles::loopsThrough(int base) const {
     std::vector<int> there{sides_[s].a}, back{sides_[s].b};
     while (there.back() != back.back())
       if (depth[there.back()] >= depth[back.back()])
-        there.push_back(before[there.back()]);
+        there.push_back(ways.before(there.back()));
       else
-        back.push_back(before[back.back()]);
+        back.push_back(ways.before(back.back()));
     back.pop_back();
     std::reverse(there.begin(), there.end());
     there.insert(there.end(), back.begin(), back.end());

@@ -3,6 +3,7 @@
 #include "contacts.h"
 
 #include <posture/core/parallel.h>
+#include <posture/core/shortest_ways.h>
 #include <posture/deformation/reduce_mesh.h>
 #include <posture/mesh/edge_paths.h>
 #include <posture/mesh/edges.h>
@@ -12,11 +13,9 @@
 
 #include "cut_surface.h"
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <queue>
 #include <utility>
 
 namespace posture {
@@ -89,26 +88,20 @@ class Detours {
         side.push_back(w);
       });
     // The nearest place of the other one.
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-    std::vector<double> distance(beside.size(), std::numeric_limits<double>::infinity());
-    for (int v : side) {
-      distance[v] = 0;
-      front.emplace(0, v);
-    }
-    while (!front.empty()) {
-      const auto [reached, v] = front.top();
-      front.pop();
-      if (reached > distance[v]) continue;
-      if (beside[v]) return reached > least;
-      forEachNext(v, [&, here = reached, v = v](int w) {
-        const double reach = here + (mesh_.vertices.row(v) - mesh_.vertices.row(w)).norm();
-        if (reach >= distance[w]) return;
-        distance[w] = reach;
-        front.emplace(reach, w);
-      });
-    }
-    return false;
+    ShortestWays ways(static_cast<int>(beside.size()));
+    bool is_long = false;
+    ways.search(
+        side,
+        [&](int v, const auto& step) {
+          forEachNext(
+              v, [&](int w) { step(w, (mesh_.vertices.row(v) - mesh_.vertices.row(w)).norm()); });
+        },
+        [&](int v) {
+          if (!beside[v]) return true;
+          is_long = ways.distance(v) > least;
+          return false;
+        });
+    return is_long;
   }
 
  private:

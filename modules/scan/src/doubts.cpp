@@ -3,6 +3,7 @@
 #include "doubts.h"
 
 #include <posture/core/parallel.h>
+#include <posture/core/shortest_ways.h>
 #include <posture/core/unions.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
@@ -10,12 +11,8 @@
 
 #include "neighbors.h"
 #include <algorithm>
-#include <functional>
-#include <limits>
 #include <numeric>
-#include <queue>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace posture {
@@ -27,9 +24,7 @@ class EdgeGraph {
   EdgeGraph(const Points& vertices,
             const std::vector<Edge>& edges,
             const std::vector<char>& left_out)
-      : vertices_(vertices),
-        neighbors_(vertices.rows()),
-        distance_(vertices.rows(), std::numeric_limits<double>::infinity()) {
+      : vertices_(vertices), neighbors_(vertices.rows()), ways_(static_cast<int>(vertices.rows())) {
     for (std::size_t e = 0; e < edges.size(); ++e) {
       if (left_out[e]) continue;
       neighbors_[edges[e].first].push_back(edges[e].second);
@@ -37,35 +32,21 @@ class EdgeGraph {
     }
   }
 
-  /// Whether a way from one vertex to another is shorter than `bound` (Dijkstra).
+  /// Whether a way from one vertex to another is shorter than `bound`.
   bool hasWay(int from, int to, double bound) {
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-    std::vector<int> reached{from};
-    distance_[from] = 0;
-    front.emplace(0, from);
-    bool found = false;
-    while (!front.empty() && !found) {
-      const auto [distance, v] = front.top();
-      front.pop();
-      found = v == to;
-      if (distance > distance_[v]) continue;
-      for (int w : neighbors_[v]) {
-        const double way = distance + (vertices_.row(v) - vertices_.row(w)).norm();
-        if (way >= bound || way >= distance_[w]) continue;
-        distance_[w] = way;
-        reached.push_back(w);
-        front.emplace(way, w);
-      }
-    }
-    for (int v : reached) distance_[v] = std::numeric_limits<double>::infinity();
-    return found;
+    ways_.search(
+        {from},
+        [&](int v, const auto& step) {
+          for (int w : neighbors_[v]) step(w, (vertices_.row(v) - vertices_.row(w)).norm());
+        },
+        [&](int v) { return v != to && ways_.distance(v) < bound; });
+    return ways_.distance(to) < bound;
   }
 
  private:
   const Points& vertices_;
   std::vector<std::vector<int>> neighbors_;
-  std::vector<double> distance_;
+  ShortestWays ways_;
 };
 
 }  // namespace

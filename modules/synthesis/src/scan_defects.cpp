@@ -3,14 +3,13 @@
 #include "scan_defects.h"
 
 #include <posture/core/error.h>
+#include <posture/core/shortest_ways.h>
 #include <posture/core/unions.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <string>
 #include <utility>
 
@@ -66,28 +65,21 @@ class Puncher {
  private:
   /// Faces whose corners are on average within `radius` of the centre along edges.
   std::vector<int> facesNear(int center, double radius) const {
-    std::vector<std::pair<int, double>> reached;
-    std::vector<double> distance(faces_of_.size(), FAR);
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    queue.push({distance[center] = 0, center});
-    while (!queue.empty()) {
-      const auto [d, v] = queue.top();
-      queue.pop();
-      if (d > distance[v]) continue;
-      for (int f : faces_of_[v])
-        for (int i = 0; i < 3; ++i) {
-          const int w = mesh_.faces(f, i);
-          const double through = d + (mesh_.vertices.row(v) - mesh_.vertices.row(w)).norm();
-          if (through < distance[w] && d < radius) queue.push({distance[w] = through, w});
-        }
-    }
+    ShortestWays ways(static_cast<int>(faces_of_.size()));
+    ways.search(
+        {center},
+        [&](int v, const auto& step) {
+          for (int f : faces_of_[v])
+            for (int w : mesh_.faces.row(f))
+              step(w, (mesh_.vertices.row(v) - mesh_.vertices.row(w)).norm());
+        },
+        [&](int v) { return ways.distance(v) < radius; });
     std::vector<int> near;
     int nearest = -1;
     double nearest_distance = FAR;
     for (int f = 0; f < mesh_.faces.rows(); ++f) {
-      const double d = (distance[mesh_.faces(f, 0)] + distance[mesh_.faces(f, 1)] +
-                        distance[mesh_.faces(f, 2)]) /
+      const double d = (ways.distance(mesh_.faces(f, 0)) + ways.distance(mesh_.faces(f, 1)) +
+                        ways.distance(mesh_.faces(f, 2))) /
                        3;
       if (d < radius) near.push_back(f);
       if (d < nearest_distance) nearest_distance = d, nearest = f;

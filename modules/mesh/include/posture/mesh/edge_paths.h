@@ -5,10 +5,11 @@
 #include <posture/core/types.h>
 #include <posture/mesh/vertex_neighbors.h>
 
-#include <limits>
 #include <vector>
 
 namespace posture {
+
+class ShortestWays;
 
 /// Shortest ways along the edges of a mesh, which must outlive this (Dijkstra 1959).
 class EdgePaths {
@@ -26,9 +27,8 @@ class EdgePaths {
   std::vector<int> shortest(int from, int to) const;
 
  private:
-  struct Ways;
-  template <class Arrival>
-  Ways search(const std::vector<int>& from, const Arrival& arrival) const;
+  template <class Arrive>
+  ShortestWays search(const std::vector<int>& from, const Arrive& arrive) const;
   double length(int v, int w) const;
 
   const TriangleMesh& mesh_;
