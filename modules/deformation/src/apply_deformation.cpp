@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/compact_vertices.h>
 #include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
 #include <posture/core/parallel.h>
@@ -198,17 +199,11 @@ DeformedSurface joinedSurface(const TriangleMesh& source, const Points& deformed
   requireSurface(source, deformed);
   cleanMesh(source);  // refuses what is no surface
   const std::vector<int> first = weld(source.vertices);
-  std::vector<int> number(source.vertices.rows(), -1), kept;
   DeformedSurface surface;
   surface.rest.faces = source.faces;
-  for (int i = 0; i < source.faces.size(); ++i) {
-    const int v = first[source.faces.data()[i]];
-    if (number[v] < 0) {
-      number[v] = static_cast<int>(kept.size());
-      kept.push_back(v);
-    }
-    surface.rest.faces.data()[i] = number[v];
-  }
+  for (int& v : surface.rest.faces.reshaped()) v = first[v];
+  const std::vector<int> kept =
+      compactVerticesByUse(surface.rest.faces, static_cast<int>(source.vertices.rows()));
   surface.rest.vertices = source.vertices(kept, Eigen::all);
   surface.deformed = deformed(kept, Eigen::all);
   return surface;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/compact_vertices.h>
 #include <posture/core/computable.h>
 #include <posture/core/error.h>
 #include <posture/mesh/clean_mesh.h>
@@ -60,22 +61,16 @@ constexpr double LEAST_PIECE = 0.01;
 
 /// Puts the parts other than the main one that are no crumbs into `clean.pieces`.
 void keepPieces(const TriangleMesh& welded, const ConnectedParts& parts, CleanMesh& clean) {
-  std::vector<Eigen::Vector3i> faces;
-  std::vector<int> number(welded.vertices.rows(), -1);
+  std::vector<int> kept;
   for (int f = 0; f < welded.faces.rows(); ++f) {
     const int part = parts.of_face[f];
-    if (part == parts.largest || parts.area[part] < LEAST_PIECE * parts.area[parts.largest])
-      continue;
-    faces.emplace_back(welded.faces.row(f));
-    for (int& v : faces.back()) {
-      if (number[v] < 0) {
-        number[v] = static_cast<int>(clean.piece_vertex.size());
-        clean.piece_vertex.push_back(v);
-      }
-      v = number[v];
-    }
+    if (part != parts.largest && parts.area[part] >= LEAST_PIECE * parts.area[parts.largest])
+      kept.push_back(f);
   }
-  clean.pieces = {welded.vertices(clean.piece_vertex, Eigen::all), toFaces(faces)};
+  clean.pieces.faces = welded.faces(kept, Eigen::all);
+  clean.piece_vertex =
+      compactVerticesByUse(clean.pieces.faces, static_cast<int>(welded.vertices.rows()));
+  clean.pieces.vertices = welded.vertices(clean.piece_vertex, Eigen::all);
   if (clean.inside_out) clean.pieces.faces.col(1).swap(clean.pieces.faces.col(2));
   orientPieces(clean.pieces);
 }
@@ -112,24 +107,15 @@ std::vector<int> keepLargest(const TriangleMesh& welded,
                              const ConnectedParts& parts,
                              CleanMesh& clean) {
   const int n = static_cast<int>(welded.vertices.rows());
-  std::vector<Eigen::Vector3i> faces;
   std::vector<int> kept;
-  for (int f = 0; f < welded.faces.rows(); ++f) {
-    if (parts.of_face[f] != parts.largest) continue;
-    faces.emplace_back(welded.faces.row(f));
-    kept.push_back(f);
-  }
+  for (int f = 0; f < welded.faces.rows(); ++f)
+    if (parts.of_face[f] == parts.largest) kept.push_back(f);
+  clean.mesh.faces = welded.faces(kept, Eigen::all);
+  clean.input_vertex = compactVertices(clean.mesh.faces, n);
+  clean.mesh.vertices = welded.vertices(clean.input_vertex, Eigen::all);
   clean.clean_vertex.assign(n, -1);
-  for (const auto& t : faces)
-    for (int k = 0; k < 3; ++k) clean.clean_vertex[t[k]] = 0;
-  for (int v = 0; v < n; ++v)
-    if (clean.clean_vertex[v] == 0) {
-      clean.clean_vertex[v] = static_cast<int>(clean.input_vertex.size());
-      clean.input_vertex.push_back(v);
-    }
-  for (auto& t : faces)
-    for (int k = 0; k < 3; ++k) t[k] = clean.clean_vertex[t[k]];
-  clean.mesh = {welded.vertices(clean.input_vertex, Eigen::all), toFaces(faces)};
+  for (std::size_t i = 0; i < clean.input_vertex.size(); ++i)
+    clean.clean_vertex[clean.input_vertex[i]] = static_cast<int>(i);
   return kept;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limb_pair.h"
 
+#include <posture/core/compact_vertices.h>
 #include <posture/core/parallel.h>
 #include <posture/mesh/normals.h>
 
@@ -166,24 +167,18 @@ double misfitOfAll(const BendableSurface& a,
 Limb limbAt(const SpectralSurface& whole, int tip, double reach) {
   const TriangleMesh& mesh = whole.mesh;
   const std::vector<double>& distance = whole.distances.from(tip);
-  std::vector<int> faces, number(mesh.vertices.rows(), -1), vertex;
+  std::vector<int> faces;
   for (int f = 0; f < mesh.faces.rows(); ++f) {
     const auto face = mesh.faces.row(f);
-    if (std::any_of(face.begin(), face.end(), [&](int v) { return !(distance[v] <= reach); }))
-      continue;
-    faces.push_back(f);
-    for (int v : face) number[v] = 0;
+    if (std::all_of(face.begin(), face.end(), [&](int v) { return distance[v] <= reach; }))
+      faces.push_back(f);
   }
-  std::vector<double> far;
-  for (int v = 0; v < static_cast<int>(number.size()); ++v) {
-    if (number[v] < 0) continue;
-    number[v] = static_cast<int>(vertex.size());
-    vertex.push_back(v);
-    far.push_back(distance[v]);
-  }
+  TriangleMesh part{{}, mesh.faces(faces, Eigen::all)};
+  std::vector<int> vertex = compactVertices(part.faces, static_cast<int>(mesh.vertices.rows()));
   if (vertex.size() < FEWEST) return {};
-  TriangleMesh part{mesh.vertices(vertex, Eigen::all), mesh.faces(faces, Eigen::all)};
-  for (int& v : part.faces.reshaped()) v = number[v];
+  part.vertices = mesh.vertices(vertex, Eigen::all);
+  std::vector<double> far;
+  for (int v : vertex) far.push_back(distance[v]);
   return {std::move(vertex), std::move(far), reach, BendableSurface(std::move(part))};
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repair.h"
 
+#include <posture/core/compact_vertices.h>
 #include <posture/core/unions.h>
 
 #include <algorithm>
@@ -205,17 +206,9 @@ Faces withoutSmallPieces(const Faces& faces, int vertex_count, int least, int& d
 }
 
 TriangleMesh withoutLooseVertices(const TriangleMesh& mesh, std::vector<int>& kept) {
-  std::vector<int> number(mesh.vertices.rows(), -1);
-  for (int c = 0; c < mesh.faces.size(); ++c) number[mesh.faces.data()[c]] = 0;
-  kept.clear();
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] < 0) continue;
-    number[v] = static_cast<int>(kept.size());
-    kept.push_back(static_cast<int>(v));
-  }
-  TriangleMesh smaller{mesh.vertices(kept, Eigen::all), mesh.faces};
-  for (int c = 0; c < smaller.faces.size(); ++c)
-    smaller.faces.data()[c] = number[smaller.faces.data()[c]];
+  TriangleMesh smaller{{}, mesh.faces};
+  kept = compactVertices(smaller.faces, static_cast<int>(mesh.vertices.rows()));
+  smaller.vertices = mesh.vertices(kept, Eigen::all);
   return smaller;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/compact_vertices.h>
 #include <posture/synthesis/rigid_pair.h>
 
 #include "keep_vertices.h"
@@ -21,23 +22,12 @@ void crop(ArticulatedBody& body, int axis, double low, double high) {
   const auto isInside = [&](int v) {
     return mesh.vertices(v, axis) >= low && mesh.vertices(v, axis) <= high;
   };
-  std::vector<int> faces;
-  std::vector<int> new_number(mesh.vertices.rows(), -1);
+  std::vector<int> inside;
   for (int f = 0; f < mesh.faces.rows(); ++f)
-    if (isInside(mesh.faces(f, 0)) && isInside(mesh.faces(f, 1)) && isInside(mesh.faces(f, 2))) {
-      faces.push_back(f);
-      for (int k = 0; k < 3; ++k) new_number[mesh.faces(f, k)] = 0;
-    }
-  PunchedMesh left;
-  for (int v = 0; v < mesh.vertices.rows(); ++v)
-    if (new_number[v] == 0) {
-      new_number[v] = static_cast<int>(left.survivor.size());
-      left.survivor.push_back(v);
-    }
-  left.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (int k = 0; k < 3; ++k)
-      left.faces(static_cast<Eigen::Index>(f), k) = new_number[mesh.faces(faces[f], k)];
+    if (isInside(mesh.faces(f, 0)) && isInside(mesh.faces(f, 1)) && isInside(mesh.faces(f, 2)))
+      inside.push_back(f);
+  PunchedMesh left{mesh.faces(inside, Eigen::all), {}};
+  left.survivor = compactVertices(left.faces, static_cast<int>(mesh.vertices.rows()));
   keepVertices(body, left);
 }
 

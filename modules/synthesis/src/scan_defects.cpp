@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_defects.h"
 
+#include <posture/core/compact_vertices.h>
 #include <posture/core/error.h>
 #include <posture/core/shortest_ways.h>
 #include <posture/core/unions.h>
@@ -45,20 +46,11 @@ class Puncher {
   }
 
   PunchedMesh result() const {
-    PunchedMesh out;
-    std::vector<int> number(faces_of_.size(), -1);
-    for (int v = 0; v < static_cast<int>(faces_of_.size()); ++v)
-      if (countLeft(v) > 0) {
-        number[v] = static_cast<int>(out.survivor.size());
-        out.survivor.push_back(v);
-      }
-    out.faces.resize(std::count(gone_.begin(), gone_.end(), false), 3);
-    int row = 0;
-    for (int f = 0; f < mesh_.faces.rows(); ++f) {
-      if (gone_[f]) continue;
-      for (int i = 0; i < 3; ++i) out.faces(row, i) = number[mesh_.faces(f, i)];
-      ++row;
-    }
+    std::vector<int> left;
+    for (int f = 0; f < mesh_.faces.rows(); ++f)
+      if (!gone_[f]) left.push_back(f);
+    PunchedMesh out{mesh_.faces(left, Eigen::all), {}};
+    out.survivor = compactVertices(out.faces, static_cast<int>(faces_of_.size()));
     return out;
   }
 
