@@ -11,15 +11,11 @@ namespace posture {
 ConnectedParts connectedParts(const TriangleMesh& mesh) {
   const int n = static_cast<int>(mesh.vertices.rows()), m = static_cast<int>(mesh.faces.rows());
   std::vector<int> number(n, -1);
-  Unions sets(n);
-  for (int f = 0; f < m; ++f) {
-    sets.join(mesh.faces(f, 0), mesh.faces(f, 1));
-    sets.join(mesh.faces(f, 0), mesh.faces(f, 2));
-  }
+  const std::vector<int> least = leastOfPart(mesh.faces, n);
   const Vector areas = faceAreas(mesh);
   ConnectedParts parts;
   for (int f = 0; f < m; ++f) {
-    int& part = number[sets.root(mesh.faces(f, 0))];
+    int& part = number[least[mesh.faces(f, 0)]];
     if (part < 0) {
       part = static_cast<int>(parts.area.size());
       parts.area.push_back(0);
@@ -31,6 +27,15 @@ ConnectedParts connectedParts(const TriangleMesh& mesh) {
     parts.largest = static_cast<int>(std::max_element(parts.area.begin(), parts.area.end()) -
                                      parts.area.begin());
   return parts;
+}
+
+std::vector<int> leastOfPart(const Faces& faces, int vertex_count) {
+  Unions sets(vertex_count);
+  for (int f = 0; f < faces.rows(); ++f) {
+    sets.join(faces(f, 0), faces(f, 1));
+    sets.join(faces(f, 0), faces(f, 2));
+  }
+  return sets.roots();
 }
 
 }  // namespace posture

@@ -38,10 +38,8 @@ std::vector<char> longRims(const std::vector<Edge>& edges, int vertex_count) {
   Unions rims(vertex_count);
   for (const Edge& e : edges)
     if (e.faces == 1) rims.join(e.first, e.second);
-  std::vector<int> size(vertex_count, 0);
-  for (int v = 0; v < vertex_count; ++v) ++size[rims.root(v)];
-  std::vector<char> is_long(vertex_count, 0);
-  for (int v = 0; v < vertex_count; ++v) is_long[v] = size[rims.root(v)] >= LONG_RIM;
+  std::vector<char> is_long;
+  for (int size : rims.sizes()) is_long.push_back(size >= LONG_RIM);
   return is_long;
 }
 

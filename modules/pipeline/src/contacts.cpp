@@ -5,6 +5,7 @@
 #include <posture/core/parallel.h>
 #include <posture/core/shortest_ways.h>
 #include <posture/deformation/reduce_mesh.h>
+#include <posture/mesh/connected_parts.h>
 #include <posture/mesh/edge_paths.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/half_edge_mesh.h>
@@ -150,26 +151,6 @@ std::optional<Ring> contactRing(const TriangleMesh& mesh) {
   return narrowest;
 }
 
-/// For each vertex the lowest one it is joined to by edges.
-std::vector<int> partsOf(const VertexNeighbors& neighbors, int n) {
-  std::vector<int> part(n, -1), open;
-  for (int start = 0; start < n; ++start) {
-    if (part[start] >= 0) continue;
-    part[start] = start;
-    open.assign(1, start);
-    while (!open.empty()) {
-      const int v = open.back();
-      open.pop_back();
-      for (const int* w = neighbors.begin(v); w != neighbors.end(v); ++w) {
-        if (part[*w] >= 0) continue;
-        part[*w] = start;
-        open.push_back(*w);
-      }
-    }
-  }
-  return part;
-}
-
 /// Vertices where the surface touches itself and the way around is long: edges of more than two
 /// faces, and vertices of several fans, as where points of two parts were welded.
 std::vector<int> weldedContacts(const TriangleMesh& mesh, int& contacts) {
@@ -179,7 +160,7 @@ std::vector<int> weldedContacts(const TriangleMesh& mesh, int& contacts) {
   std::vector<std::vector<int>> copies(n);
   for (int c = n; c < cut_n; ++c) copies[cut.original_vertex[c]].push_back(c);
   const VertexNeighbors neighbors(mesh.faces, n);
-  const std::vector<int> part = partsOf(VertexNeighbors(cut.mesh.faces, cut_n), cut_n);
+  const std::vector<int> part = leastOfPart(cut.mesh.faces, cut_n);
   const EdgePaths paths(cut.mesh);
   const double least_detour = LEAST_DETOUR * rootArea(mesh);
   std::vector<int> welded;

@@ -96,7 +96,6 @@ class CutFaces {
 /// For each corner 3 f + k a number shared by the corners of one fan.
 std::vector<int> fans(const CutFaces& faces) {
   const int count = 3 * faces.size();
-  std::vector<int> fan(count);
   Unions sets(count);
   for (int f = 0; f < faces.size(); ++f) {
     const std::array<int, 3> own = faces.corners(f);
@@ -110,8 +109,7 @@ std::vector<int> fans(const CutFaces& faces) {
       }
     }
   }
-  for (int c = 0; c < count; ++c) fan[c] = sets.root(c);
-  return fan;
+  return sets.roots();
 }
 
 }  // namespace

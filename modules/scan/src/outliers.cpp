@@ -17,7 +17,6 @@ std::vector<int> groupSizes(const Points& points,
                             const std::vector<char>& keep,
                             const std::vector<double>& spacing) {
   const int n = static_cast<int>(points.rows());
-  std::vector<int> size(n, 0), sizes(n);
   Unions groups(n);
   for (int i = 0; i < n; ++i) {
     if (!keep[i]) continue;
@@ -26,9 +25,7 @@ std::vector<int> groupSizes(const Points& points,
       if (keep[j] && (points.row(j) - points.row(i)).norm() <= 3 * spacing[j]) groups.join(i, j);
     }
   }
-  for (int i = 0; i < n; ++i) ++size[groups.root(i)];
-  for (int i = 0; i < n; ++i) sizes[i] = size[groups.root(i)];
-  return sizes;
+  return groups.sizes();
 }
 
 /// Whether the ten nearest neighbours lie in a plane rather than anywhere.

@@ -3,7 +3,7 @@
 #include "repair.h"
 
 #include <posture/core/compact_vertices.h>
-#include <posture/core/unions.h>
+#include <posture/mesh/connected_parts.h>
 
 #include <algorithm>
 #include <utility>
@@ -116,17 +116,6 @@ std::vector<Eigen::RowVector3i> fill(const Points& vertices,
   return triangles;
 }
 
-std::vector<int> pieceOfVertex(const Faces& faces, int vertex_count) {
-  std::vector<int> piece(vertex_count);
-  Unions sets(vertex_count);
-  for (int f = 0; f < faces.rows(); ++f) {
-    sets.join(faces(f, 0), faces(f, 1));
-    sets.join(faces(f, 0), faces(f, 2));
-  }
-  for (int v = 0; v < vertex_count; ++v) piece[v] = sets.root(v);
-  return piece;
-}
-
 }  // namespace
 
 Faces largestFans(const Faces& faces, int vertex_count) {
@@ -195,7 +184,7 @@ Faces closePinHoles(const TriangleMesh& mesh, double perimeter) {
 }
 
 Faces withoutSmallPieces(const Faces& faces, int vertex_count, int least, int& dropped) {
-  const std::vector<int> piece = pieceOfVertex(faces, vertex_count);
+  const std::vector<int> piece = leastOfPart(faces, vertex_count);
   std::vector<int> size(vertex_count, 0);
   for (int f = 0; f < faces.rows(); ++f) ++size[piece[faces(f, 0)]];
   dropped = static_cast<int>(
@@ -213,7 +202,7 @@ TriangleMesh withoutLooseVertices(const TriangleMesh& mesh, std::vector<int>& ke
 }
 
 int countPieces(const Faces& faces, int vertex_count) {
-  const std::vector<int> piece = pieceOfVertex(faces, vertex_count);
+  const std::vector<int> piece = leastOfPart(faces, vertex_count);
   std::vector<char> used(vertex_count, 0);
   for (int f = 0; f < faces.rows(); ++f) used[piece[faces(f, 0)]] = 1;
   return static_cast<int>(std::count(used.begin(), used.end(), 1));

@@ -33,15 +33,6 @@ Points normalized(const Points& places, double unit) {
   return (places.rowwise() - places.colwise().mean()) / unit;
 }
 
-/// Sets of things that are joined, directly or by others; `join` is given a function of two.
-template <class Join>
-int countJoined(int things, const Join& join) {
-  Unions sets(things);
-  int count = things;
-  join([&](int a, int b) { count -= sets.join(a, b); });
-  return count;
-}
-
 /// A set of faces and how it moves.
 struct Cluster {
   std::vector<Moments> moments;  // one a pose
@@ -73,12 +64,12 @@ class Clustering {
       : clusters_(rest.faces.rows()), into_(rest.faces.rows()) {
     std::iota(into_.begin(), into_.end(), 0);
     const Faces across = facesAcross(rest.faces);
-    const int islands = countJoined(static_cast<int>(clusters_.size()), [&](const auto& join) {
-      for (int f = 0; f < across.rows(); ++f)
-        for (int g : across.row(f))
-          if (g >= 0) join(f, g);
-    });
-    merges_left_ = static_cast<int>(clusters_.size()) - islands;
+    const int faces = static_cast<int>(clusters_.size());
+    Unions islands(faces);
+    for (int f = 0; f < faces; ++f)
+      for (int g : across.row(f))
+        if (g >= 0) islands.join(f, g);
+    merges_left_ = faces - islands.count();
     for (int f = 0; f < rest.faces.rows(); ++f) {
       Cluster& cluster = clusters_[f];
       cluster.moments.resize(poses.size());
@@ -167,12 +158,11 @@ std::vector<int> patchesOf(const TriangleMesh& mesh) {
   const int n = static_cast<int>(mesh.vertices.rows());
   const std::vector<int> face = faceOfEachVertex(mesh.faces, n);
   const auto loose = static_cast<int>(std::count(face.begin(), face.end(), -1));
-  const int pieces = countJoined(n, [&](const auto& join) {
-    for (const auto& f : mesh.faces.rowwise())
-      for (int v : f) join(f[0], v);
-  });
+  Unions pieces(n);
+  for (const auto& f : mesh.faces.rowwise())
+    for (int v : f) pieces.join(f[0], v);
   const Landmarks samples =
-      voronoiSamples(mesh, FastMarching(mesh), PATCHES + pieces - loose - 1, 0);
+      voronoiSamples(mesh, FastMarching(mesh), PATCHES + pieces.count() - loose - 1, 0);
   std::vector<int> patch(mesh.faces.rows());
   for (int f = 0; f < mesh.faces.rows(); ++f) {
     const int sample = samples.nearest[mesh.faces(f, 0)];

@@ -17,4 +17,7 @@ struct ConnectedParts {
 
 ConnectedParts connectedParts(const TriangleMesh& mesh);
 
+/// For each vertex the least one that edges join it to; a vertex in no face is a part of its own.
+std::vector<int> leastOfPart(const Faces& faces, int vertex_count);
+
 }  // namespace posture
