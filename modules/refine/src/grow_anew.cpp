@@ -5,6 +5,7 @@
 #include <posture/refine/grow_anew.h>
 #include <posture/refine/let_go.h>
 
+#include "far_apart.h"
 #include "lay_anew.h"
 #include <algorithm>
 #include <numeric>
@@ -26,21 +27,14 @@ constexpr int SPREAD = 150;
 /// than so many times its length is torn.
 constexpr double SAME = 2, STRETCH = 2;
 
-/// Of the vertices with a counterpart, some far from each other along the surface: each is the
-/// farthest from those before it.
+/// Of the vertices with a counterpart, some far from each other along the surface.
 std::vector<int> placesFarApart(const SpectralSurface& a, const std::vector<char>& apart) {
   std::vector<int> among;
   for (int v = 0; v < std::min(SPREAD, static_cast<int>(a.mesh.vertices.rows())); ++v)
     if (!isApart(apart, v)) among.push_back(v);
   std::vector<int> places;
-  Vector distance = Vector::Constant(static_cast<Eigen::Index>(among.size()), 1e9);
-  for (Eigen::Index next = 0; places.size() < std::min<std::size_t>(PLACES, among.size());) {
-    places.push_back(among[next]);
-    const std::vector<double>& from_it = a.distances.from(places.back());
-    for (Eigen::Index i = 0; i < distance.size(); ++i)
-      distance[i] = std::min(distance[i], from_it[among[i]]);
-    distance.maxCoeff(&next);
-  }
+  for (int i : farApart(a.distances, among, 0, std::min<std::size_t>(PLACES, among.size())))
+    places.push_back(among[i]);
   return places;
 }
 

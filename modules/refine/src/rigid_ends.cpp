@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/refine/rigid_ends.h>
 
+#include "far_apart.h"
 #include "lay_ends.h"
 #include <algorithm>
 #include <cmath>
@@ -99,28 +100,15 @@ std::vector<PlacePair> placesOn(const SpectralSurface& a,
                                 const LimbEnd& other,
                                 int tip,
                                 const LaidEnd& laid) {
-  std::vector<PlacePair> partners;
-  for (const ClosestPair& pair : laid.pairs)
-    partners.push_back({end.wide[pair.a], other.wide[pair.b]});
-  const auto nearestTo = [&](int v) {
-    const std::vector<double>& distance = a.distances.from(v);
-    return std::min_element(partners.begin(),
-                            partners.end(),
-                            [&](const PlacePair& x, const PlacePair& y) {
-                              return distance[x.a] < distance[y.a];
-                            }) -
-           partners.begin();
-  };
+  std::vector<int> on_end;
+  for (const ClosestPair& pair : laid.pairs) on_end.push_back(end.wide[pair.a]);
+  const std::vector<double>& from_tip = a.distances.from(tip);
+  const auto nearest = std::min_element(
+      on_end.begin(), on_end.end(), [&](int v, int w) { return from_tip[v] < from_tip[w]; });
   std::vector<PlacePair> places;
-  Vector distance = Vector::Constant(static_cast<Eigen::Index>(partners.size()),
-                                     std::numeric_limits<double>::max());
-  for (Eigen::Index next = nearestTo(tip); places.size() < PLACES_ON_END;) {
-    places.push_back(partners[next]);
-    const std::vector<double>& from_it = a.distances.from(partners[next].a);
-    for (std::size_t i = 0; i < partners.size(); ++i)
-      distance[i] = std::min(distance[i], from_it[partners[i].a]);
-    distance.maxCoeff(&next);
-  }
+  for (int i :
+       farApart(a.distances, on_end, static_cast<int>(nearest - on_end.begin()), PLACES_ON_END))
+    places.push_back({on_end[i], other.wide[laid.pairs[i].b]});
   return places;
 }
 
