@@ -66,8 +66,10 @@ std::vector<std::vector<int>> Handles::loopsThrough(int base) const {
         const int before = ways.before(v);
         if (before < 0) return true;
         depth[v] = depth[before] + 1;
-        for (int i = first_[v]; i < first_[v + 1]; ++i)
-          if (steps_[i].vertex == before) in_tree[steps_[i].side] = 1;
+        const auto way = std::find_if(steps_.begin() + first_[v],
+                                      steps_.begin() + first_[v + 1],
+                                      [before](const Step& step) { return step.vertex == before; });
+        in_tree[way->side] = 1;
         return true;
       });
   // The faces joined across the sides whose loops are longest; what then joins nothing is left.
