@@ -5,6 +5,7 @@
 
 #include "attempts.h"
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -65,7 +66,44 @@ RegistrationResult best(std::vector<Attempt> attempts) {
   const Observer nobody;
   StageClock clock(nobody);
   const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
-  return bestAttempt(std::move(attempts), target, options, clock);
+  return bestAttempt(
+      std::move(attempts), target, options, [](const auto&) { return std::nullopt; }, clock);
+}
+
+/// A triangle's corners taken to corners, -1: none.
+RegistrationResult mapOf(double score, std::vector<int> corners) {
+  RegistrationResult result = answerWith(score, 0);
+  for (std::size_t v = 0; v < corners.size(); ++v)
+    result.correspondence.on_target[v].vertex = corners[v];
+  return result;
+}
+
+TEST(Attempts, anAnswerGoesOnWhereItMapsMoreToTheSamePlaces) {
+  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
+  const RegistrationResult known = mapOf(-10, {0, -1, -1});
+  EXPECT_TRUE(goesOn(known, mapOf(-9, {0, 1, 2}), target));
+  EXPECT_FALSE(goesOn(known, mapOf(-9, {1, 0, 2}), target));
+  EXPECT_FALSE(goesOn(mapOf(-10, {0, 1, -1}), known, target));
+}
+
+TEST(Attempts, whatAgreesWithTheExtendedAnswerIsNoRival) {
+  RegistrationOptions options;
+  const Observer nobody;
+  StageClock clock(nobody);
+  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
+  const auto extendedTo = [&](const RegistrationResult& whole) {
+    const std::vector<Attempt> attempts{{mapOf(-12, {0, -1, -1}), {}},
+                                        {mapOf(-11.5, {-1, 1, 2}), {}}};
+    return bestAttempt(
+        attempts, target, options, [&](const auto&) { return std::optional(whole); }, clock);
+  };
+  const RegistrationResult alone = extendedTo(mapOf(-12, {0, 1, 2}));
+  EXPECT_EQ(mappedCount(alone.correspondence.on_target), 3);
+  EXPECT_EQ(alone.alternatives.size(), 1u);
+  EXPECT_DOUBLE_EQ(alone.trust, 0.9);
+  const RegistrationResult disputed = extendedTo(mapOf(-12, {0, 2, 1}));
+  EXPECT_EQ(disputed.alternatives.size(), 2u);
+  EXPECT_LT(disputed.trust, 0.9);
 }
 
 TEST(Attempts, aRivalCostsAllMapsTrustAndIsLessLikelyItself) {

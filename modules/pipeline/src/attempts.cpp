@@ -83,8 +83,10 @@ struct Rival {
 };
 
 /// Of the attempts that lead elsewhere than the best one, that of least score.
+/// \param maps  of the best one, found and extended: what agrees with either is no rival.
 Rival rivalOf(const std::vector<Attempt>& attempts,
               std::size_t best,
+              const std::vector<const RegistrationResult*>& maps,
               const TriangleMesh& target,
               double size) {
   Rival rival;
@@ -92,8 +94,14 @@ Rival rivalOf(const std::vector<Attempt>& attempts,
     const RegistrationResult& found = attempts[i].found;
     if (i == best || found.chosen < 0) continue;
     if (rival.attempt != nullptr && rival.attempt->found.score <= found.score) continue;
-    const Overlap overlap = overlapOf(attempts[best].found, found, target, size);
-    if (leadsElsewhere(overlap)) rival = {&attempts[i], gapOf(overlap)};
+    double gap = 0;
+    const bool elsewhere =
+        std::all_of(maps.begin(), maps.end(), [&](const RegistrationResult* map) {
+          const Overlap overlap = overlapOf(*map, found, target, size);
+          gap = gapOf(overlap);
+          return leadsElsewhere(overlap);
+        });
+    if (elsewhere) rival = {&attempts[i], gap};
   }
   return rival;
 }
@@ -120,6 +128,14 @@ bool isSameAnswer(const RegistrationResult& x,
                   const TriangleMesh& target) {
   const Overlap overlap = overlapOf(x, y, target, std::sqrt(x.target.area));
   return overlap.both > 0 && 2 * overlap.both >= overlap.either && overlap.gap < SAME_ANSWER;
+}
+
+bool goesOn(const RegistrationResult& known,
+            const RegistrationResult& more,
+            const TriangleMesh& target) {
+  return mappedCount(more.correspondence.on_target) >=
+             mappedCount(known.correspondence.on_target) &&
+         !leadsElsewhere(overlapOf(known, more, target, std::sqrt(known.target.area)));
 }
 
 bool agreeEverywhere(const std::vector<SurfacePoint>& x,
@@ -197,17 +213,22 @@ void shareHands(const TriangleMesh& target, std::vector<Attempt>& attempts) {
 RegistrationResult bestAttempt(std::vector<Attempt> attempts,
                                const TriangleMesh& target,
                                const RegistrationOptions& options,
+                               const Extension& extended,
                                StageClock& clock) {
   const double size = std::sqrt(attempts.front().found.target.area);
   shareHands(target, attempts);
   for (;;) {
     const std::size_t best = bestOf(attempts);
-    const Rival rival = rivalOf(attempts, best, target, size);
+    Rival rival = rivalOf(attempts, best, {&attempts[best].found}, target, size);
     const auto finishBest = [&] { return finished(std::move(attempts[best])); };
     std::optional<RegistrationResult> result = best == 0 ? finishBest() : clock.tryTo(finishBest);
     if (!result) {
       attempts.erase(attempts.begin() + static_cast<std::ptrdiff_t>(best));
       continue;
+    }
+    if (std::optional<RegistrationResult> more = extended(*result)) {
+      rival = rivalOf(attempts, best, {&*result, &*more}, target, size);
+      result = std::move(more);
     }
     if (rival.attempt == nullptr) return std::move(*result);
     const RegistrationResult& found = rival.attempt->found;

@@ -6,6 +6,7 @@
 
 #include "stage_clock.h"
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace posture {
@@ -29,6 +30,11 @@ Attempt withChange(Attempt attempt, const std::function<void(RegistrationResult&
 bool isSameAnswer(const RegistrationResult& x,
                   const RegistrationResult& y,
                   const TriangleMesh& target);
+
+/// Whether `more` maps at least as much as `known` and leads to the same places where both map.
+bool goesOn(const RegistrationResult& known,
+            const RegistrationResult& more,
+            const TriangleMesh& target);
 
 /// Whether two maps of one pair lead to the same places everywhere, but for crumbs;
 /// not if they share less than half.
@@ -64,13 +70,18 @@ bool knownStands(const RegistrationResult& known, double confirming_score);
 /// \param verdict  its map does not matter.
 RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map);
 
+/// The same answer over more of both sides; nothing: there is no more of it.
+using Extension = std::function<std::optional<RegistrationResult>(const RegistrationResult&)>;
+
 /// Of several attempts at one pair, on different parts of it, the one that scores best, the first
 /// if none is better by more than scores vary, finished; one that cannot be is left out, but for
 /// the first. The best of the others that leads elsewhere is named among its alternatives. \pre  at
 /// least one.
+/// \param extended  of what was found with a part of a side, which others may then agree with.
 RegistrationResult bestAttempt(std::vector<Attempt> attempts,
                                const TriangleMesh& target,
                                const RegistrationOptions& options,
+                               const Extension& extended,
                                StageClock& clock);
 
 }  // namespace posture

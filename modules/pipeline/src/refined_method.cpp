@@ -8,6 +8,7 @@
 #include "answers.h"
 #include "find_finalists.h"
 #include "finish_map.h"
+#include "known_map.h"
 #include "pieces.h"
 #include "posed_side.h"
 #include "refined_maps.h"
@@ -119,15 +120,22 @@ struct FirstMaps {
   std::unique_ptr<const SpectralSurface> source_coarse, target_coarse;
   std::vector<Finalist> bent;
 
+  /// Brings both sides to one scale.
+  void scale(double ratio) {
+    chosen->source.scale(ratio);
+    source_coarse = std::make_unique<SpectralSurface>(chosen->source.shape.coarseSurface());
+    target_coarse = std::make_unique<SpectralSurface>(chosen->target.shape.coarseSurface());
+  }
+
   CoarseSides coarseSides() const {
     return {chosen->source, chosen->target, *source_coarse, *target_coarse};
   }
 };
 
-/// The way from the surfaces to the first maps.
-FirstMaps firstMaps(const GivenShape& source_given,
-                    const GivenShape& target_given,
-                    StageClock& clock) {
+/// The surfaces as they are worked on; smooth functions on them, and samples.
+FirstMaps preparedSides(const GivenShape& source_given,
+                        const GivenShape& target_given,
+                        StageClock& clock) {
   FirstMaps first(source_given, target_given);
   PosedSide &source = first.chosen->source, &target = first.chosen->target;
   clock.stage("reduction", 0.03, [&] { reduceSides(source, target); });
@@ -143,6 +151,15 @@ FirstMaps firstMaps(const GivenShape& source_given,
     addSamples("target", target.shape);
   });
   clock.show([&] { return samplePictures(source.shape, target.shape); });
+  return first;
+}
+
+/// The way from the surfaces to the first maps.
+FirstMaps firstMaps(const GivenShape& source_given,
+                    const GivenShape& target_given,
+                    StageClock& clock) {
+  FirstMaps first = preparedSides(source_given, target_given, clock);
+  const PosedSide &source = first.chosen->source, &target = first.chosen->target;
 
   // Maps between the samples: all axis orders and signs, and what the shapes' symmetries make of
   // them.
@@ -152,29 +169,18 @@ FirstMaps firstMaps(const GivenShape& source_given,
 
   // With holes the areas do not tell the scale, but distances under a map do; those under a
   // mirrored one as well.
-  source.scale(distanceRatio(source.shape.samples, target.shape.samples, pool.front()));
-
-  first.source_coarse = std::make_unique<SpectralSurface>(source.shape.coarseSurface());
-  first.target_coarse = std::make_unique<SpectralSurface>(target.shape.coarseSurface());
+  first.scale(distanceRatio(source.shape.samples, target.shape.samples, pool.front()));
   first.bent = bentFinalists(first.coarseSides(), pool, clock);
   return first;
 }
 
-/// Chooses a map: the way from the first ones to the best of the refined ones.
-/// \return false: it stopped before maps are refined, as the known answer stands.
-bool chooseMap(const FirstMaps& first_maps, const KnownAnswer& known, StageClock& clock) {
+/// Chooses a map: the way from finalists, by increasing score, to the best of the refined ones.
+void chooseAmong(const FirstMaps& first_maps, std::vector<Finalist> found, StageClock& clock) {
   ChosenMap& chosen = *first_maps.chosen;
   PosedSide &source = chosen.source, &target = chosen.target;
   const SpectralSurface &source_coarse = *first_maps.source_coarse,
                         &target_coarse = *first_maps.target_coarse;
-  chosen.may_lack = mayLack(source, target);
-  std::optional<std::vector<Finalist>> found =
-      findFinalists(first_maps.coarseSides(), first_maps.bent, chosen.may_lack, known, clock);
-  if (!found) {
-    clock.skip(REFINEMENT);
-    return false;
-  }
-  chosen.finalists = std::move(*found);
+  chosen.finalists = std::move(found);
   const std::vector<Finalist>& finalists = chosen.finalists;
   RegistrationResult& result = chosen.result;
   result.source = summarize(source.given, source.shape);
@@ -182,7 +188,7 @@ bool chooseMap(const FirstMaps& first_maps, const KnownAnswer& known, StageClock
   if (finalists.empty()) {
     result.scale = source.pose.unit / target.pose.unit;
     giveVerdictWithoutFinalist(source.given, result);
-    return true;
+    return;
   }
   const double gap = answerGap(target.shape.samples);
   const std::vector<int> distinct = distinctFinalists(finalists, target_coarse.mesh, gap);
@@ -211,16 +217,27 @@ bool chooseMap(const FirstMaps& first_maps, const KnownAnswer& known, StageClock
     result.hands = chosen.best.hands;
     result.trust = trustIn(result);
   });
+}
+
+/// Chooses a map: the way from the first ones to the best of the refined ones.
+/// \return false: it stopped before maps are refined, as the known answer stands.
+bool chooseMap(const FirstMaps& first_maps, const KnownAnswer& known, StageClock& clock) {
+  ChosenMap& chosen = *first_maps.chosen;
+  chosen.may_lack = mayLack(chosen.source, chosen.target);
+  std::optional<std::vector<Finalist>> found =
+      findFinalists(first_maps.coarseSides(), first_maps.bent, chosen.may_lack, known, clock);
+  if (!found) {
+    clock.skip(REFINEMENT);
+    return false;
+  }
+  chooseAmong(first_maps, std::move(*found), clock);
   return true;
 }
 
-/// See BegunAttempt::goOn.
-std::optional<Attempt> attemptFrom(const FirstMaps& first,
-                                   const RegistrationOptions& options,
-                                   StageClock& clock,
-                                   const KnownAnswer& known) {
-  if (!chooseMap(first, known, clock)) return {};
-  const std::shared_ptr<ChosenMap>& chosen = first.chosen;
+/// The attempt at the map that was chosen.
+Attempt attemptAt(const std::shared_ptr<ChosenMap>& chosen,
+                  const RegistrationOptions& options,
+                  StageClock& clock) {
   Attempt attempt{chosen->result, {}};
   if (chosen->result.chosen < 0) return attempt;
   if (!options.refine_alternatives) chosen->finalists = {};
@@ -251,8 +268,9 @@ BegunAttempt beginAttempt(const GivenShape& source,
                                                                bool may_stop) {
     require(first->chosen != nullptr, "BegunAttempt: gone on with twice");
     const FirstMaps maps = std::move(*first);
-    return clock.within(label, [&] {
-      return attemptFrom(maps, options, clock, {known, may_stop});
+    return clock.within(label, [&]() -> std::optional<Attempt> {
+      if (!chooseMap(maps, {known, may_stop}, clock)) return {};
+      return attemptAt(maps.chosen, options, clock);
     });
   };
   return begun;
@@ -263,6 +281,21 @@ Attempt refinedMethod(const GivenShape& source,
                       const RegistrationOptions& options,
                       StageClock& clock) {
   return *beginAttempt(source, target, options, clock).goOn(nullptr, false);
+}
+
+Attempt extendedAnswer(const GivenShape& source,
+                       const GivenShape& target,
+                       const RegistrationResult& known,
+                       const RegistrationOptions& options,
+                       StageClock& clock) {
+  FirstMaps first = preparedSides(source, target, clock);
+  ChosenMap& chosen = *first.chosen;
+  first.scale(known.scale * chosen.target.pose.unit / chosen.source.pose.unit);
+  chosen.may_lack = true;
+  Finalist extended =
+      clock.stage("extending", 0, [&] { return extendedFinalist(first.coarseSides(), known); });
+  chooseAmong(first, {std::move(extended)}, clock);
+  return attemptAt(first.chosen, options, clock);
 }
 
 }  // namespace posture

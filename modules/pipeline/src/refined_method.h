@@ -39,4 +39,13 @@ Attempt refinedMethod(const GivenShape& source,
                       const RegistrationOptions& options,
                       StageClock& clock);
 
+/// An answer found with a part of a side, extended over both as far as they lie on each other.
+/// \param known  finished, in the numbering of both inputs.
+/// \throws std::runtime_error  a surface cannot be bent (Arap), or the answer maps too little
+Attempt extendedAnswer(const GivenShape& source,
+                       const GivenShape& target,
+                       const RegistrationResult& known,
+                       const RegistrationOptions& options,
+                       StageClock& clock);
+
 }  // namespace posture

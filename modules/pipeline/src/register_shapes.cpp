@@ -15,6 +15,7 @@
 #include "scan_side.h"
 #include "stage_clock.h"
 #include "verdict.h"
+#include "whole_source.h"
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -132,7 +133,8 @@ RegistrationResult bestOfBoth(Attempt as_given,
     std::vector<Attempt> attempts;
     attempts.push_back(std::move(as_given));
     attempts.push_back(std::move(closed));
-    return bestAttempt(std::move(attempts), target, options, clock);
+    return bestAttempt(
+        std::move(attempts), target, options, [](const auto&) { return std::nullopt; }, clock);
   }
   const bool astray = leadsAstray(as_given.found, closed.found);
   Attempt &better = astray ? as_given : closed, &other = astray ? closed : as_given;
@@ -251,6 +253,26 @@ void addPieceAttempts(const GivenShape& source,
   }
 }
 
+/// For an answer found with a part of a side: the same over all of it that lies on the other side,
+/// which trusts it no more. Where it does not go on, the rest of the source lies as the part goes.
+/// Nothing: it was found with all there is.
+std::optional<RegistrationResult> extendedToWhole(const GivenShape& source,
+                                                  const GivenShape& target,
+                                                  RegistrationResult known,
+                                                  const RegistrationOptions& options,
+                                                  StageClock& clock) {
+  if (std::min(known.source.compared_share, known.target.compared_share) == 1) return {};
+  std::optional<RegistrationResult> whole = clock.tryAttempt("extended", 0, [&] {
+    return finished(extendedAnswer(source, target, known, options, clock));
+  });
+  if (whole && whole->chosen >= 0 && goesOn(known, *whole, target.input)) {
+    setTrust(std::min(known.trust, whole->trust), *whole);
+    return withMapOf(std::move(known), std::move(*whole));
+  }
+  known.deformed = restLaid(source, known);
+  return known;
+}
+
 RegistrationResult registerMeshes(const GivenShape& source,
                                   const GivenShape& target,
                                   const RegistrationOptions& options,
@@ -275,7 +297,10 @@ RegistrationResult registerMeshes(const GivenShape& source,
         return attempt.found.trust >= ALL_BUT_CERTAIN;
       }))
     addPieceAttempts(source, target, options, clock, attempts);
-  return bestAttempt(std::move(attempts), target.input, options, clock);
+  const auto extended = [&](const RegistrationResult& known) {
+    return extendedToWhole(source, target, known, options, clock);
+  };
+  return bestAttempt(std::move(attempts), target.input, options, extended, clock);
 }
 
 /// What cleanSides() did to a side before its shape was measured.

@@ -113,4 +113,18 @@ Points placesOfWhole(const PosedSide& source,
   return places;
 }
 
+Points restLaid(const GivenShape& source, const RegistrationResult& result) {
+  const CleanMesh& clean = source.clean;
+  const TriangleMesh rest{result.scale * clean.mesh.vertices, clean.mesh.faces};
+  std::vector<char> without;
+  for (int v : clean.input_vertex) without.push_back(result.correspondence.on_target[v].vertex < 0);
+  const Points places =
+      extendDeformation(rest, result.deformed(clean.input_vertex, Eigen::all), without);
+  return placesOfInput(source,
+                       rest,
+                       std::vector<char>(without.size(), 1),
+                       places,
+                       result.scale * source.input.vertices);
+}
+
 }  // namespace posture

@@ -20,4 +20,8 @@ Points placesOfWhole(const PosedSide& source,
                      const FullMap& map,
                      const OnPieces& on_pieces);
 
+/// The places of the source's vertices, those without a counterpart laid as rigidly as possible
+/// among the others. \param result  finished.
+Points restLaid(const GivenShape& source, const RegistrationResult& result);
+
 }  // namespace posture

@@ -43,7 +43,19 @@ std::vector<int> surroundings(const BendableSurface& a,
   return found;
 }
 
-/// Where a surface comes to lie when what is marked goes as the surface around it does.
+/// What of the vertices marked lies farther than an edge from its match on `b`.
+std::vector<char> stillApart(const BendableSurface& b,
+                             const std::vector<int>& matches,
+                             const Points& bent,
+                             std::vector<char> marked) {
+  const double edge = meanEdgeLength(b.mesh);
+  for (int v = 0; v < bent.rows(); ++v)
+    if ((bent.row(v) - b.mesh.vertices.row(matches[v])).norm() < edge) marked[v] = 0;
+  return marked;
+}
+
+}  // namespace
+
 Points placesAnew(const BendableSurface& a,
                   const std::vector<char>& marked,
                   double softness,
@@ -61,19 +73,6 @@ Points placesAnew(const BendableSurface& a,
     if (marked[v]) held[v] = 0;
   return a.arap.pull(laid, laid, a.arap.attract(softness, held), LAYING_STEPS);
 }
-
-/// What of the vertices marked lies farther than an edge from its match on `b`.
-std::vector<char> stillApart(const BendableSurface& b,
-                             const std::vector<int>& matches,
-                             const Points& bent,
-                             std::vector<char> marked) {
-  const double edge = meanEdgeLength(b.mesh);
-  for (int v = 0; v < bent.rows(); ++v)
-    if ((bent.row(v) - b.mesh.vertices.row(matches[v])).norm() < edge) marked[v] = 0;
-  return marked;
-}
-
-}  // namespace
 
 bool addApart(std::vector<char>& marked, const std::vector<char>& apart) {
   bool more = false;

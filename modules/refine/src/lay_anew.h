@@ -15,6 +15,13 @@ bool addApart(std::vector<char>& marked, const std::vector<char>& apart);
 /// Where nothing is apart, no list of that is kept (BentPair).
 void dropIfNothingIsApart(BentPair& pair);
 
+/// Where a surface comes to lie when what is marked goes as the surface around it does.
+/// \param bent  its vertices, as far as they are not marked.
+Points placesAnew(const BendableSurface& a,
+                  const std::vector<char>& marked,
+                  double softness,
+                  const Points& bent);
+
 /// The pair with what is marked laid as the surface around it goes, after which both settle: what
 /// then lies on the other surface is matched with that, the rest is apart.
 /// \param of_a, of_b  vertices of each.

@@ -2,19 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <posture/refine/map_score.h>
-#include <posture/refine/settle.h>
+#include <posture/refine/scored_pair.h>
 #include <posture/refine/surface.h>
 
 #include <vector>
 
 namespace posture {
-
-/// Two surfaces bent onto each other, with what speaks against the map.
-struct ScoredPair {
-  BentPair pair;
-  MapScore score;
-};
 
 /// Where parts of a body are missing, maps come to be right on one part of it and wrong on the
 /// next: a trunk is wound by half a turn, an arm lies on the other one. Nothing that settles leaves
