@@ -15,6 +15,9 @@
 namespace posture {
 namespace {
 
+/// A map whose score is higher by so much is e times less likely to be right.
+constexpr double FAR_WORSE = 1;
+
 /// A strip so many edges wide is taken in each time: of a limb that bends no more than this lies
 /// near its place when it is laid as the rest goes. From head to foot are about 50.
 constexpr int STRIP = 3, MOST_TIMES = 40;
@@ -219,7 +222,9 @@ ScoredPair extendMap(const SpectralSurface& a,
   try {
     drawTogether(a, b, softness, drawn);
     const MapScore drawn_score = settleWithoutMisplaced(a, b, softness, drawn);
-    if (drawn_score.total() < score.total()) return {std::move(drawn), drawn_score};
+    if (mappedArea(a, b, drawn) > mappedArea(a, b, pair) &&
+        drawn_score.total() < score.total() + FAR_WORSE)
+      return {std::move(drawn), drawn_score};
   } catch (const std::runtime_error&) {  // too torn to be bent
   }
   return {std::move(pair), score};

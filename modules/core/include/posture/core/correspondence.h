@@ -9,7 +9,8 @@
 
 namespace posture {
 
-/// A place on a triangle mesh: the nearest vertex, and a face with barycentric coordinates.
+/// A place on a triangle mesh: a vertex, in a map the one that fits best and mostly the nearest,
+/// and a face with barycentric coordinates.
 struct SurfacePoint {
   int vertex = -1;  ///< -1: no place at all; the other members then mean nothing
   int face = -1;    ///< -1: the vertex belongs to no face

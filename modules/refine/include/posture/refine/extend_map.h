@@ -11,7 +11,8 @@ namespace posture {
 /// goes and takes in, strip after strip from where the map ends, what then lies on the other
 /// surface, which settles each time; so limbs that bend are followed. Then draws both surfaces as a
 /// whole onto what is nearest, which mends a known map that had slid and spoils one whose limbs
-/// bend far: the one or the other, by the score. What is misplaced in the end is let go of.
+/// bend far; that is kept if more is mapped then, and the score is not worse by far. What is
+/// misplaced in the end is let go of.
 ///
 /// \pre  any prefix of a surface's vertices is spread evenly (as reduceMesh() orders them), and
 ///       both are in a unit of about the square root of their area.
