@@ -65,7 +65,7 @@ if(POSTURE_BUILD_APPS)
   install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT commands)
   install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT commands)
   # What they name lies about them as it does in the sources.
-  foreach(folder bench examples launch)
+  foreach(folder bench bench/tables examples launch)
     file(GLOB documents ${folder}/*.md ${folder}/*.svg)
     install(FILES ${documents} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT commands)
   endforeach()

@@ -269,7 +269,8 @@ std::optional<RegistrationResult> extendedToWhole(const GivenShape& source,
     setTrust(std::min(known.trust, whole->trust), *whole);
     return withMapOf(std::move(known), std::move(*whole));
   }
-  known.deformed = restLaid(source, known);
+  if (auto laid = clock.tryTo([&] { return restLaid(source, known); }))
+    known.deformed = std::move(*laid);
   return known;
 }
 

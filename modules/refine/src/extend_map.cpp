@@ -58,7 +58,7 @@ std::vector<int> strip(const BendableSurface& a, const std::vector<char>& apart)
 
 /// What a vertex of a, bent, lies on.
 struct Counterpart {
-  int vertex = -1;
+  int vertex = 0;
   bool fits = false;  ///< near enough, and looks the same way
 };
 
