@@ -70,7 +70,8 @@ bool knownStands(const RegistrationResult& known, double confirming_score);
 /// \param verdict  its map does not matter.
 RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map);
 
-/// The same answer over more of both sides; nothing: there is no more of it.
+/// The same answer over more of both sides, or with the rest of the source laid as it goes;
+/// nothing: it stays as it is.
 using Extension = std::function<std::optional<RegistrationResult>(const RegistrationResult&)>;
 
 /// Of several attempts at one pair, on different parts of it, the one that scores best, the first

@@ -8,6 +8,7 @@
 #include <posture/refine/extend_map.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -80,6 +81,8 @@ Finalist extendedFinalist(const CoarseSides& sides, const RegistrationResult& kn
   finalist.maps = extended.pair.maps;
   finalist.orientation = orientation(source, target, finalist.maps);
   finalist.score = extended.score;
+  if (finalist.orientation <= LEAST_ORIENTATION || !std::isfinite(finalist.score.total()))
+    throw std::runtime_error("the answer does not go on");
   finalist.bent = std::move(extended.pair);
   return finalist;
 }

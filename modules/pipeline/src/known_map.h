@@ -15,7 +15,7 @@ namespace posture {
 BentPair mapOfKnown(const CoarseSides& sides, const RegistrationResult& known);
 
 /// That map extended (extendMap()) over what of both surfaces then lies on each other.
-/// \throws std::runtime_error  the same; a surface is too torn to be bent
+/// \throws std::runtime_error  the same; it turns a surface inside out; one is too torn to be bent
 Finalist extendedFinalist(const CoarseSides& sides, const RegistrationResult& known);
 
 }  // namespace posture

@@ -254,7 +254,7 @@ void addPieceAttempts(const GivenShape& source,
 }
 
 /// For an answer found with a part of a side: the same over all of it that lies on the other side,
-/// which trusts it no more. Where it does not go on, the rest of the source lies as the part goes.
+/// trusted as the part is. Where it does not go on, the rest of the source lies as the part goes.
 /// Nothing: it was found with all there is.
 std::optional<RegistrationResult> extendedToWhole(const GivenShape& source,
                                                   const GivenShape& target,
@@ -266,9 +266,10 @@ std::optional<RegistrationResult> extendedToWhole(const GivenShape& source,
     return finished(extendedAnswer(source, target, known, options, clock));
   });
   if (whole && whole->chosen >= 0 && goesOn(known, *whole, target.input)) {
-    setTrust(std::min(known.trust, whole->trust), *whole);
+    setTrust(known.trust, *whole);  // its own score pays for all that one side lacks
     return withMapOf(std::move(known), std::move(*whole));
   }
+  if (known.source.compared_share == 1) return {};
   if (auto laid = clock.tryTo([&] { return restLaid(source, known); }))
     known.deformed = std::move(*laid);
   return known;

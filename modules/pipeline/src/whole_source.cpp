@@ -120,11 +120,15 @@ Points restLaid(const GivenShape& source, const RegistrationResult& result) {
   for (int v : clean.input_vertex) without.push_back(result.correspondence.on_target[v].vertex < 0);
   const Points places =
       extendDeformation(rest, result.deformed(clean.input_vertex, Eigen::all), without);
-  return placesOfInput(source,
-                       rest,
-                       std::vector<char>(without.size(), 1),
-                       places,
-                       result.scale * source.input.vertices);
+  Points laid = placesOfInput(source,
+                              rest,
+                              std::vector<char>(without.size(), 1),
+                              places,
+                              result.scale * source.input.vertices);
+  // What has a counterpart keeps its place, loose pieces among them.
+  for (Eigen::Index v = 0; v < laid.rows(); ++v)
+    if (result.correspondence.on_target[v].vertex >= 0) laid.row(v) = result.deformed.row(v);
+  return laid;
 }
 
 }  // namespace posture

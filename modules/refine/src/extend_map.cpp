@@ -78,7 +78,7 @@ Counterpart counterpartOf(const BendableSurface& b,
   return counterpart;
 }
 
-/// Matches vertices of a with what they lie on, and takes in those of the strip that fit.
+/// Matches vertices of a, those of the strip, with what they lie on, and takes in those that fit.
 /// \return  whether any was.
 bool takeIn(const BendableSurface& a,
             const BendableSurface& b,
