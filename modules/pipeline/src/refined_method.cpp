@@ -6,9 +6,9 @@
 #include <posture/core/parallel.h>
 
 #include "answers.h"
+#include "extended_finalist.h"
 #include "find_finalists.h"
 #include "finish_map.h"
-#include "known_map.h"
 #include "pieces.h"
 #include "posed_side.h"
 #include "refined_maps.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "known_map.h"
+#include "extended_finalist.h"
 
 #include <posture/core/parallel.h>
 #include <posture/mesh/edges.h>
@@ -62,14 +62,15 @@ void goBack(const CoarseSides& sides, BentPair& pair) {
   });
 }
 
-}  // namespace
-
+/// The answer as it is; what has no counterpart in it is apart.
 BentPair mapOfKnown(const CoarseSides& sides, const RegistrationResult& known) {
   BentPair pair;
   goThere(sides, known, pair);
   goBack(sides, pair);
   return pair;
 }
+
+}  // namespace
 
 Finalist extendedFinalist(const CoarseSides& sides, const RegistrationResult& known) {
   const SpectralSurface &source = sides.source, &target = sides.target;
