@@ -35,9 +35,20 @@ def read_truth(benchmark, truth, count=None):
         return [(int(row[0]), int(row[1])) for row in rows]
 
 
+def compact(vertices, faces):
+    """Without vertices that no face has; and the number each had."""
+    kept = sorted({v for face in faces for v in face})
+    number = {v: i for i, v in enumerate(kept)}
+    return [vertices[v] for v in kept], [tuple(number[v] for v in face) for face in faces], kept
+
+
 def minus(a, b):
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
 def dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])

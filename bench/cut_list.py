@@ -13,7 +13,7 @@ import os
 import random
 import sys
 
-from benchmark_files import FAMILIES, dot, minus, read_mesh, read_truth, write_mesh
+from benchmark_files import FAMILIES, compact, dot, minus, read_mesh, read_truth, write_mesh
 
 SIDES = (("source",), ("target",), ("source", "target"))
 
@@ -35,13 +35,6 @@ def without_balls(vertices, faces, draw):
         gone.update(v for v, at in enumerate(vertices)
                     if dot(minus(at, center), minus(at, center)) < radius ** 2)
     return [face for face in faces if not gone.intersection(face)]
-
-
-def compact(vertices, faces):
-    """Without vertices that no face has; and the number each had."""
-    kept = sorted({v for face in faces for v in face})
-    number = {v: i for i, v in enumerate(kept)}
-    return [vertices[v] for v in kept], [tuple(number[v] for v in face) for face in faces], kept
 
 
 def main(benchmark, out, seed):
