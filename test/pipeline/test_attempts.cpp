@@ -106,6 +106,45 @@ TEST(Attempts, whatAgreesWithTheExtendedAnswerIsNoRival) {
   EXPECT_LT(disputed.trust, 0.9);
 }
 
+TEST(Attempts, anAnswerPaysWhereItFitsWorseOverTheWhole) {
+  RegistrationResult result = answerWith(-12, 1);
+  result.trust = 1;
+  payForExtending(-12, result);  // limbs bend that were not in the part
+  EXPECT_EQ(result.score, -12);
+  EXPECT_EQ(result.trust, 1);
+  payForExtending(-7, result);
+  EXPECT_EQ(result.score, -7);
+  EXPECT_DOUBLE_EQ(*result.alternatives[0].refined_score, result.score);
+  EXPECT_LT(result.trust, 0.5);
+  EXPECT_EQ(result.status, Status::UNDECIDED);
+}
+
+TEST(Attempts, ofTwoAnswersFoundWithPartsTheOneWinsThatFitsOverTheWhole) {
+  RegistrationOptions options;
+  const Observer nobody;
+  StageClock clock(nobody);
+  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
+  const std::vector<Attempt> attempts{{mapOf(-12, {0, 1, 2}), {}}, {mapOf(-11.5, {1, 2, 0}), {}}};
+  std::vector<int> asked;
+  const RegistrationResult result = bestAttempt(
+      attempts,
+      target,
+      options,
+      [&](RegistrationResult known) {
+        const int place = known.correspondence.on_target[0].vertex;
+        asked.push_back(place);
+        payForExtending(place == 0 ? -9.0 : -11.5, known);
+        return std::optional(known);
+      },
+      clock);
+  EXPECT_THAT(asked, testing::ElementsAre(0, 1));
+  EXPECT_EQ(result.correspondence.on_target[0].vertex, 1);
+  EXPECT_EQ(result.score, -11.5);
+  ASSERT_EQ(result.alternatives.size(), 2u);
+  EXPECT_GT(*result.alternatives[1 - result.chosen].refined_score, -10);
+  EXPECT_GT(result.trust, 0.85);
+}
+
 TEST(Attempts, aRivalCostsAllMapsTrustAndIsLessLikelyItself) {
   const RegistrationResult result = best({{answerWith(-12, 1), {}}, {answerWith(-11.5, 2), {}}});
   ASSERT_EQ(result.alternatives.size(), 2u);

@@ -70,12 +70,12 @@ class LetGo : public testing::Test {
 TEST_F(LetGo, posesOfOneBodyMisplaceNothing) {
   const test::Poses& poses = test::poses(BodyKind::HUMAN);
   const VertexMaps maps = test::identity(poses.a);
-  const std::vector<char> marked = misplaced(poses.a, poses.b, maps.forward);
+  const std::vector<char> marked = misplaced(poses.a, poses.b, maps.forward, {});
   EXPECT_EQ(areaShare(poses.a, marked), 0);
 }
 
 TEST_F(LetGo, anArmSqueezedOntoAStumpIsMisplaced) {
-  const std::vector<char> marked = misplaced(whole_, cut_, squeezed().maps.forward);
+  const std::vector<char> marked = misplaced(whole_, cut_, squeezed().maps.forward, {});
   EXPECT_GT(share(marked, end(whole_.mesh, CUT / 2)), 0.7);
   EXPECT_LT(share(marked, inverse(end(whole_.mesh, 3 * CUT))), 0.01);
 }
@@ -118,6 +118,16 @@ TEST(Score, lettingGoIsNoGainByItself) {
   MapScore half = all;
   half.let_go = 0.5;
   EXPECT_NEAR(half.total() - all.total(), 4 * std::log(2), 1e-12);
+}
+
+TEST(Score, aPieceDoesNotPayForWhatTheWholeHasMore) {
+  MapScore piece{0.05, 0.1, 0.07, 0.03};
+  const double all = piece.total();
+  piece.let_go = 0.7;
+  piece.bending /= 1 - piece.let_go;  // as it is measured
+  EXPECT_NEAR(piece.totalOfPiece(), all, 1e-12);
+  piece.let_go_of_other = 0.7;
+  EXPECT_NEAR(piece.totalOfPiece(), piece.total(), 1e-12);
 }
 
 }  // namespace

@@ -133,8 +133,9 @@ bool isSameAnswer(const RegistrationResult& x,
 bool goesOn(const RegistrationResult& known,
             const RegistrationResult& more,
             const TriangleMesh& target) {
-  return mappedCount(more.correspondence.on_target) >=
-             mappedCount(known.correspondence.on_target) &&
+  const auto before = static_cast<double>(mappedCount(known.correspondence.on_target)),
+             after = static_cast<double>(mappedCount(more.correspondence.on_target));
+  return after >= (1 - A_PART) * before &&
          !leadsElsewhere(overlapOf(known, more, target, std::sqrt(known.target.area)));
 }
 
@@ -169,6 +170,16 @@ void payForHands(double hands, RegistrationResult& result) {
   std::optional<double>& refined = result.alternatives[result.chosen].refined_score;
   if (refined) *refined += more;
   setTrust(trustIn(result), result);
+  giveVerdict(result);
+}
+
+void payForExtending(double score, RegistrationResult& result) {
+  const double more = score - result.score;
+  if (!(more > 0)) return;
+  result.score += more;
+  for (AlternativeSummary& one : result.alternatives)
+    if (one.refined_score) *one.refined_score += more;
+  setTrust(std::min(result.trust, trustIn(result)), result);
   giveVerdict(result);
 }
 
@@ -208,6 +219,19 @@ void shareHands(const TriangleMesh& target, std::vector<Attempt>& attempts) {
   }
 }
 
+/// The rival of an extended answer, extended as well if it may win or cost it much trust.
+std::optional<RegistrationResult> extendedRival(const Rival& rival,
+                                                double score,
+                                                const Extension& extended,
+                                                StageClock& clock) {
+  const RegistrationResult& found = rival.attempt->found;
+  if (!looksAlike(found) || isDecisive(score, found.score)) return {};
+  std::optional<RegistrationResult> whole = clock.tryTo([&] { return finished(*rival.attempt); });
+  if (!whole) return {};
+  std::optional<RegistrationResult> more = extended(*whole);
+  return more ? more : whole;
+}
+
 }  // namespace
 
 RegistrationResult bestAttempt(std::vector<Attempt> attempts,
@@ -226,18 +250,21 @@ RegistrationResult bestAttempt(std::vector<Attempt> attempts,
       attempts.erase(attempts.begin() + static_cast<std::ptrdiff_t>(best));
       continue;
     }
+    std::optional<RegistrationResult> other;
     if (std::optional<RegistrationResult> more = extended(*result)) {
       rival = rivalOf(attempts, best, {&*result, &*more}, target, size);
       result = std::move(more);
+      if (rival.attempt != nullptr) other = extendedRival(rival, result->score, extended, clock);
+      if (other && other->score < result->score) std::swap(*result, *other);
     }
     if (rival.attempt == nullptr) return std::move(*result);
-    const RegistrationResult& found = rival.attempt->found;
-    AlternativeSummary other = found.alternatives[found.chosen];
-    other.gap = rival.gap;
-    if (options.refine_alternatives)
-      if (const auto whole = clock.tryTo([&] { return finished(*rival.attempt); }))
-        other.correspondence = whole->correspondence;
-    addRival(std::move(other), found.trust, *result);
+    if (!other && options.refine_alternatives)
+      other = clock.tryTo([&] { return finished(*rival.attempt); });
+    const RegistrationResult& found = other ? *other : rival.attempt->found;
+    AlternativeSummary summary = found.alternatives[found.chosen];
+    summary.gap = rival.gap;
+    if (options.refine_alternatives && other) summary.correspondence = other->correspondence;
+    addRival(std::move(summary), found.trust, *result);
     return std::move(*result);
   }
 }

@@ -31,7 +31,8 @@ bool isSameAnswer(const RegistrationResult& x,
                   const RegistrationResult& y,
                   const TriangleMesh& target);
 
-/// Whether `more` maps at least as much as `known` and leads to the same places where both map.
+/// Whether `more` maps at least as much as `known`, but for crumbs, and leads to the same places
+/// where both map.
 bool goesOn(const RegistrationResult& known,
             const RegistrationResult& more,
             const TriangleMesh& target);
@@ -54,6 +55,11 @@ double handsByBoth(const RegistrationResult& result,
 /// Raises what is paid for hands, and what follows from that.
 void payForHands(double hands, RegistrationResult& result);
 
+/// For an answer found with a part of a side: how the map scores where it goes on over the whole
+/// (MapScore::totalOfPiece()) counts, if that is worse, and all that was found with the part pays
+/// for it.
+void payForExtending(double score, RegistrationResult& result);
+
 /// Whether surface put in, patches or strips, leads an answer astray that was found without it too:
 /// it then scores far worse, hands apart.
 bool leadsAstray(const RegistrationResult& without, const RegistrationResult& with);
@@ -70,14 +76,15 @@ bool knownStands(const RegistrationResult& known, double confirming_score);
 /// \param verdict  its map does not matter.
 RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map);
 
-/// The same answer over more of both sides, or with the rest of the source laid as it goes;
-/// nothing: it stays as it is.
+/// The same answer over more of both sides, paid for, or with the rest of the source laid as it
+/// goes; nothing: it stays as it is.
 using Extension = std::function<std::optional<RegistrationResult>(const RegistrationResult&)>;
 
 /// Of several attempts at one pair, on different parts of it, the one that scores best, the first
 /// if none is better by more than scores vary, finished; one that cannot be is left out, but for
-/// the first. The best of the others that leads elsewhere is named among its alternatives. \pre  at
-/// least one.
+/// the first. The best of the others that leads elsewhere is named among its alternatives; if it
+/// was found with a part of a side as well and is nearly as good, both are extended and the better
+/// one then wins. \pre  at least one.
 /// \param extended  of what was found with a part of a side, which others may then agree with.
 RegistrationResult bestAttempt(std::vector<Attempt> attempts,
                                const TriangleMesh& target,

@@ -295,6 +295,7 @@ Attempt extendedAnswer(const GivenShape& source,
   Finalist extended =
       clock.stage("extending", 0, [&] { return extendedFinalist(first.coarseSides(), known); });
   chooseAmong(first, {std::move(extended)}, clock);
+  chosen.result.score = chosen.best.score.totalOfPiece() + chosen.best.hands;
   return attemptAt(first.chosen, options, clock);
 }
 

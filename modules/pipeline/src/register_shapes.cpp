@@ -9,13 +9,12 @@
 #include "contacts.h"
 #include "left_out_parts.h"
 #include "patched_shape.h"
-#include "pieces.h"
+#include "piece_attempts.h"
 #include "published_method.h"
 #include "refined_method.h"
 #include "scan_side.h"
 #include "stage_clock.h"
 #include "verdict.h"
-#include "whole_source.h"
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -24,9 +23,6 @@
 
 namespace posture {
 namespace {
-
-/// Parts of a whole that a piece is compared with, in all.
-constexpr int MOST_PARTS = 4;
 
 /// Less of the source with a counterpart may be for pieces that found no place; joining them has to
 /// give so much more.
@@ -196,83 +192,6 @@ std::optional<RegistrationResult> registerJoined(const GivenShape& source,
       });
   if (joined) leaveOutPatches(source, source_joined, target, target_joined, *joined);
   return joined;
-}
-
-/// What was found on a part of a surface, and all of it otherwise.
-ShapeSummary withPart(const ShapeSummary& whole, const ShapeSummary& part) {
-  ShapeSummary summary = withMeasured(whole, part);
-  summary.compared_share = part.area / whole.area;
-  return summary;
-}
-
-/// For shapes of which no answer is all but certain: one may be a piece of the other. It is then
-/// registered with the parts of that one it resembles, begun with all of them; the best goes on,
-/// and others until one convinces whose first map was decisively better than theirs.
-void addPieceAttempts(const GivenShape& source,
-                      const GivenShape& target,
-                      const RegistrationOptions& options,
-                      StageClock& clock,
-                      std::vector<Attempt>& attempts) {
-  std::vector<std::pair<CleanMesh, CleanMesh>> pairs = clock.stage("pieces", 0, [&] {
-    std::vector<std::pair<CleanMesh, CleanMesh>> found;
-    const bool source_may = mayBePiece(source.clean), target_may = mayBePiece(target.clean);
-    const int most = source_may && target_may ? MOST_PARTS / 2 : MOST_PARTS;
-    if (source_may)
-      for (CleanMesh& part : partsLike(source.clean, target, most))
-        found.emplace_back(source.clean, std::move(part));
-    if (target_may)
-      for (CleanMesh& part : partsLike(target.clean, source, most))
-        found.emplace_back(std::move(part), target.clean);
-    return found;
-  });
-  std::vector<BegunAttempt> begun;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto& [a, b] = pairs[i];
-    std::optional<BegunAttempt> one =
-        clock.tryAttempt("piece-" + std::to_string(i + 1), 0, [&, &a = a, &b = b] {
-          return beginAttempt({source.input, a}, {target.input, b}, options, clock);
-        });
-    if (one) begun.push_back(std::move(*one));
-  }
-  std::stable_sort(begun.begin(), begun.end(), [](const BegunAttempt& x, const BegunAttempt& y) {
-    return x.score < y.score;
-  });
-  const ShapeSummary of_source = attempts.front().found.source,
-                     of_target = attempts.front().found.target;
-  std::optional<double> convincing;
-  for (const BegunAttempt& one : begun) {
-    if (convincing && isDecisive(*convincing, one.score)) break;
-    std::optional<Attempt> piece = clock.tryTo([&] { return *one.goOn(nullptr, false); });
-    if (!piece) continue;
-    if (!convincing && looksAlike(piece->found)) convincing = one.score;
-    attempts.push_back(
-        withChange(std::move(*piece), [of_source, of_target](RegistrationResult& result) {
-          result.source = withPart(of_source, result.source);
-          result.target = withPart(of_target, result.target);
-        }));
-  }
-}
-
-/// For an answer found with a part of a side: the same over all of it that lies on the other side,
-/// trusted as the part is. Where it does not go on, the rest of the source lies as the part goes.
-/// Nothing: it was found with all there is.
-std::optional<RegistrationResult> extendedToWhole(const GivenShape& source,
-                                                  const GivenShape& target,
-                                                  RegistrationResult known,
-                                                  const RegistrationOptions& options,
-                                                  StageClock& clock) {
-  if (std::min(known.source.compared_share, known.target.compared_share) == 1) return {};
-  std::optional<RegistrationResult> whole = clock.tryAttempt("extended", 0, [&] {
-    return finished(extendedAnswer(source, target, known, options, clock));
-  });
-  if (whole && whole->chosen >= 0 && goesOn(known, *whole, target.input)) {
-    setTrust(known.trust, *whole);  // its own score pays for all that one side lacks
-    return withMapOf(std::move(known), std::move(*whole));
-  }
-  if (known.source.compared_share == 1) return {};
-  if (auto laid = clock.tryTo([&] { return restLaid(source, known); }))
-    known.deformed = std::move(*laid);
-  return known;
 }
 
 RegistrationResult registerMeshes(const GivenShape& source,

@@ -16,12 +16,8 @@ namespace {
 /// for one body: docs/decisions/published.md has the measurements it lies between.
 constexpr double LEAST_CONSISTENCY = 0.855;
 
-/// The score of a map where same and different bodies are equally likely, and how fast that turns:
-/// docs/decisions/trust.md has the measurements.
-constexpr double EVEN_SCORE = -8.7, SCORE_WIDTH = 0.3;
-
-/// On coarse meshes the right answer may be worse by so much.
-constexpr double DECISIVE = 1;
+/// How fast likeness turns around EVEN_SCORE.
+constexpr double SCORE_WIDTH = 0.3;
 
 /// Below it the answer is called undecided.
 constexpr double LEAST_TRUST = 0.5;
@@ -138,7 +134,7 @@ void addRival(AlternativeSummary rival, double rival_trust, RegistrationResult& 
   Correspondence map = std::move(rival.correspondence);
   rival.correspondence = {};
   all.insert(worse, std::move(rival));
-  setTrust(trustIn(result), result);
+  setTrust(std::min(result.trust, trustIn(result)), result);
   AlternativeSummary& added = all[static_cast<std::size_t>(at)];
   if (rival_trust > 0) map.confidence *= result.trust * likelihoodOf(result, added) / rival_trust;
   added.correspondence = std::move(map);

@@ -25,6 +25,13 @@ double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& 
 /// So much trust is all but certain: what would only look for another answer is left out.
 constexpr double ALL_BUT_CERTAIN = 0.9;
 
+/// The score of a map where same and different bodies are equally likely:
+/// docs/decisions/trust.md has the measurements.
+constexpr double EVEN_SCORE = -8.7;
+
+/// On coarse meshes the right answer may be worse by so much.
+constexpr double DECISIVE = 1;
+
 /// How far the score of a map and its margin before the next different one speak for it, in [0, 1].
 double trustIn(double score, double margin);
 double trustIn(const RegistrationResult& result);

@@ -197,8 +197,8 @@ MapScore settleWithoutMisplaced(const SpectralSurface& a,
                                 const SpectralSurface& b,
                                 double softness,
                                 BentPair& pair) {
-  addApart(pair.apart_a, misplaced(a, b, pair.maps.forward));
-  addApart(pair.apart_b, misplaced(b, a, pair.maps.backward));
+  addApart(pair.apart_a, misplaced(a, b, pair.maps.forward, pair.apart_a));
+  addApart(pair.apart_b, misplaced(b, a, pair.maps.backward, pair.apart_b));
   settleSoftening(a, b, softness, pair);
   matchWhatIsApart(a, b, pair);
   pair = reversed(pair);

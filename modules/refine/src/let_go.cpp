@@ -45,16 +45,27 @@ std::vector<double> changesAround(const SpectralSurface& a,
   return change;
 }
 
+/// Share of the area that may be apart in the end, by what is apart in the beginning.
+double mostApart(const BendableSurface& surface, const std::vector<char>& apart) {
+  const double before = areaShare(surface, apart);
+  return before + MOST_LET_GO * (1 - before);
+}
+
 }  // namespace
 
 std::vector<char> misplaced(const SpectralSurface& a,
                             const SpectralSurface& b,
-                            const std::vector<int>& matches) {
+                            const std::vector<int>& matches,
+                            const std::vector<char>& apart) {
   const int n = static_cast<int>(matches.size());
   const Vector believed = belief(a, b, matches);
   std::vector<int> places;
-  for (int v = 0; v < std::min(PLACES, n); ++v)
+  int considered = 0;
+  for (int v = 0; v < n && considered < PLACES; ++v) {
+    if (isApart(apart, v)) continue;
+    ++considered;
     if (believed[v] > 0) places.push_back(v);
+  }
   std::vector<char> marked(n, 0);
   if (places.empty()) return marked;
   const std::vector<double> change = changesAround(a, b, places, matches);
@@ -77,14 +88,15 @@ std::optional<MapScore> letGo(const SpectralSurface& a,
                               double softness,
                               double least_gain,
                               BentPair& pair) {
+  const double most_a = mostApart(a, pair.apart_a), most_b = mostApart(b, pair.apart_b);
   std::optional<double> least;  // what is misplaced nowhere needs no score
   std::optional<MapScore> better;
   for (int time = 0; time < TIMES; ++time) {
-    std::vector<char> of_a = misplaced(a, b, pair.maps.forward),
-                      of_b = misplaced(b, a, pair.maps.backward);
+    std::vector<char> of_a = misplaced(a, b, pair.maps.forward, pair.apart_a),
+                      of_b = misplaced(b, a, pair.maps.backward, pair.apart_b);
     const bool more_of_a = addApart(of_a, pair.apart_a), more_of_b = addApart(of_b, pair.apart_b);
     if (!more_of_a && !more_of_b) break;
-    if (areaShare(a, of_a) > MOST_LET_GO || areaShare(b, of_b) > MOST_LET_GO) break;
+    if (areaShare(a, of_a) > most_a || areaShare(b, of_b) > most_b) break;
     if (!least) least = scoreBent(a, b, pair, false).total();
     BentPair loose = laidAnew(a, b, of_a, of_b, softness, pair);
     const MapScore score = scoreBent(a, b, loose, false);

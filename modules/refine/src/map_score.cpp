@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace posture {
 namespace {
@@ -178,6 +179,14 @@ double MapScore::total() const {
              : std::numeric_limits<double>::infinity();
 }
 
+double MapScore::totalOfPiece() const {
+  MapScore piece = *this;
+  // Bending was divided by the share of the larger one.
+  piece.bending *= std::max(LEAST_KEPT, 1 - let_go) / std::max(LEAST_KEPT, 1 - let_go_of_other);
+  piece.let_go = let_go_of_other;
+  return piece.total();
+}
+
 MapScore scoreMaps(const SpectralSurface& a, const SpectralSurface& b, const VertexMaps& maps) {
   return score(a, b, maps, belief(a, b, maps.forward), belief(b, a, maps.backward));
 }
@@ -188,7 +197,8 @@ MapScore scoreBent(const SpectralSurface& a,
                    bool laid) {
   MapScore bent =
       score(a, b, pair.maps, beliefBent(a, b, pair, laid), beliefBent(b, a, reversed(pair), laid));
-  bent.let_go = std::max(areaShare(a, pair.apart_a), areaShare(b, pair.apart_b));
+  std::tie(bent.let_go_of_other, bent.let_go) =
+      std::minmax({areaShare(a, pair.apart_a), areaShare(b, pair.apart_b)});
   return bent;
 }
 

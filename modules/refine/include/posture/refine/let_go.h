@@ -11,16 +11,20 @@
 
 namespace posture {
 
-/// Share of the area. Where more of a surface is misplaced, not a part is wrong but the map.
+/// Share of the area that a map takes somewhere. Where more of it is misplaced, not a part is wrong
+/// but the map.
 constexpr double MOST_LET_GO = 0.5;
 
 /// The vertices of a around which a map changes distances along the surface by far more than
 /// elsewhere: a head is squeezed onto the neck where the other surface ends there.
+/// \param apart  vertices whose matches do not count, as in BentPair; what is near none of the
+///               others is not marked.
 /// \pre  any prefix of a's vertices is spread evenly (as reduceMesh() orders them), and both
 ///       surfaces are in a unit of about the square root of their area.
 std::vector<char> misplaced(const SpectralSurface& a,
                             const SpectralSurface& b,
-                            const std::vector<int>& matches);
+                            const std::vector<int>& matches,
+                            const std::vector<char>& apart);
 
 /// Takes what is misplaced on either surface out of the map, lays it as the surface around it goes,
 /// and lets both settle: what then lies on the other surface is matched with that, the rest is

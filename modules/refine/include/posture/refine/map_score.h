@@ -16,10 +16,15 @@ struct MapScore {
   double distortion = 0;   ///< mean relative change of geodesic distances, each at most 1/2
   double return_miss = 0;  ///< how many matches, there and back, do not end where they began
   double let_go = 0;  ///< share of the surface that has no part in the map (letGo()): the larger
+  double let_go_of_other = 0;  ///< that of the other surface: the smaller
 
   /// Sum of the logarithms: each term counts by its ratio, so none needs a weight. Each is divided
   /// by the share that was not let go of, or letting go would always look better. Lower is better.
   double total() const;
+
+  /// The total for two surfaces of which one may be a piece of the other: what the larger one has
+  /// more does not speak against the map.
+  double totalOfPiece() const;
 };
 
 /// What the total of one map changes by from one bending to the next: less is no gain.

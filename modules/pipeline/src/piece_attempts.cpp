@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "piece_attempts.h"
+
+#include "pieces.h"
+#include "refined_method.h"
+#include "verdict.h"
+#include "whole_source.h"
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace posture {
+namespace {
+
+/// Parts of a whole that a piece is compared with, in all.
+constexpr int MOST_PARTS = 4;
+
+/// What an answer that does not go on over the whole counts as: it can hardly be right.
+constexpr double NO_WAY_ON = EVEN_SCORE + DECISIVE;
+
+/// What was found on a part of a surface, and all of it otherwise.
+ShapeSummary withPart(const ShapeSummary& whole, const ShapeSummary& part) {
+  ShapeSummary summary = withMeasured(whole, part);
+  summary.compared_share = part.area / whole.area;
+  return summary;
+}
+
+/// The main surfaces of both sides, one of them with a part alone.
+struct PartPair {
+  CleanMesh source, target;
+};
+
+std::vector<PartPair> partPairs(const GivenShape& source, const GivenShape& target) {
+  std::vector<PartPair> found;
+  const bool source_may = mayBePiece(source.clean), target_may = mayBePiece(target.clean);
+  const int most = source_may && target_may ? MOST_PARTS / 2 : MOST_PARTS;
+  if (source_may)
+    for (CleanMesh& part : partsLike(source.clean, target, most))
+      found.push_back({source.clean, std::move(part)});
+  if (target_may)
+    for (CleanMesh& part : partsLike(target.clean, source, most))
+      found.push_back({std::move(part), target.clean});
+  return found;
+}
+
+/// Vertices of the source's main surface that are not of the part: to the attempt they are loose.
+std::vector<int> restOf(const CleanMesh& whole, const CleanMesh& part) {
+  std::vector<int> rest;
+  for (int v = 0; v < whole.offset.size(); ++v)
+    if (part.offset[v] > 0 && !(whole.offset[v] > 0)) rest.push_back(v);
+  return rest;
+}
+
+/// An attempt with a part of a side, begun.
+struct PieceAttempt {
+  BegunAttempt begun;
+  std::vector<int> rest;  ///< of the source
+};
+
+/// The result in the figures of the whole. How the rest of the source lies is not known.
+Attempt ofWhole(Attempt attempt,
+                const ShapeSummary& source,
+                const ShapeSummary& target,
+                const std::vector<int>& rest) {
+  return withChange(std::move(attempt), [source, target, rest](RegistrationResult& result) {
+    result.source = withPart(source, result.source);
+    result.target = withPart(target, result.target);
+    for (int v : rest) {
+      result.correspondence.on_target[v] = {};
+      result.correspondence.confidence[v] = 0;
+    }
+  });
+}
+
+}  // namespace
+
+void addPieceAttempts(const GivenShape& source,
+                      const GivenShape& target,
+                      const RegistrationOptions& options,
+                      StageClock& clock,
+                      std::vector<Attempt>& attempts) {
+  const std::vector<PartPair> pairs =
+      clock.stage("pieces", 0, [&] { return partPairs(source, target); });
+  std::vector<PieceAttempt> pieces;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [a, b] = pairs[i];
+    std::optional<BegunAttempt> begun =
+        clock.tryAttempt("piece-" + std::to_string(i + 1), 0, [&, &a = a, &b = b] {
+          return beginAttempt({source.input, a}, {target.input, b}, options, clock);
+        });
+    if (begun) pieces.push_back({std::move(*begun), restOf(source.clean, a)});
+  }
+  std::stable_sort(pieces.begin(), pieces.end(), [](const PieceAttempt& x, const PieceAttempt& y) {
+    return x.begun.score < y.begun.score;
+  });
+  const ShapeSummary of_source = attempts.front().found.source,
+                     of_target = attempts.front().found.target;
+  std::optional<double> convincing;
+  for (const auto& [begun, rest] : pieces) {
+    if (convincing && isDecisive(*convincing, begun.score)) break;
+    std::optional<Attempt> piece =
+        clock.tryTo([&, &one = begun] { return *one.goOn(nullptr, false); });
+    if (!piece) continue;
+    if (!convincing && looksAlike(piece->found)) convincing = begun.score;
+    attempts.push_back(ofWhole(std::move(*piece), of_source, of_target, rest));
+  }
+}
+
+std::optional<RegistrationResult> extendedToWhole(const GivenShape& source,
+                                                  const GivenShape& target,
+                                                  RegistrationResult known,
+                                                  const RegistrationOptions& options,
+                                                  StageClock& clock) {
+  if (std::min(known.source.compared_share, known.target.compared_share) == 1) return {};
+  std::optional<RegistrationResult> whole = clock.tryAttempt("extended", 0, [&] {
+    return finished(extendedAnswer(source, target, known, options, clock));
+  });
+  if (whole && whole->chosen >= 0 && goesOn(known, *whole, target.input)) {
+    payForExtending(whole->score, known);
+    setTrust(known.trust, *whole);
+    return withMapOf(std::move(known), std::move(*whole));
+  }
+  payForExtending(NO_WAY_ON, known);
+  if (known.source.compared_share < 1)
+    if (auto laid = clock.tryTo([&] { return restLaid(source, known); }))
+      known.deformed = std::move(*laid);
+  return known;
+}
+
+}  // namespace posture
