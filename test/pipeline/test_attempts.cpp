@@ -95,7 +95,14 @@ TEST(Attempts, whatAgreesWithTheExtendedAnswerIsNoRival) {
     const std::vector<Attempt> attempts{{mapOf(-12, {0, -1, -1}), {}},
                                         {mapOf(-11.5, {-1, 1, 2}), {}}};
     return bestAttempt(
-        attempts, target, options, [&](const auto&) { return std::optional(whole); }, clock);
+        attempts,
+        target,
+        options,
+        [&](const RegistrationResult& known) {
+          const bool is_best = known.correspondence.on_target[0].vertex == 0;
+          return is_best ? std::optional(whole) : std::nullopt;
+        },
+        clock);
   };
   const RegistrationResult alone = extendedTo(mapOf(-12, {0, 1, 2}));
   EXPECT_EQ(mappedCount(alone.correspondence.on_target), 3);
@@ -109,10 +116,10 @@ TEST(Attempts, whatAgreesWithTheExtendedAnswerIsNoRival) {
 TEST(Attempts, anAnswerPaysWhereItFitsWorseOverTheWhole) {
   RegistrationResult result = answerWith(-12, 1);
   result.trust = 1;
-  payForExtending(-12, result);  // limbs bend that were not in the part
+  payForExtending(-12, 0, result);  // limbs bend that were not in the part
   EXPECT_EQ(result.score, -12);
   EXPECT_EQ(result.trust, 1);
-  payForExtending(-7, result);
+  payForExtending(-7, 0, result);
   EXPECT_EQ(result.score, -7);
   EXPECT_DOUBLE_EQ(*result.alternatives[0].refined_score, result.score);
   EXPECT_LT(result.trust, 0.5);
@@ -133,7 +140,7 @@ TEST(Attempts, ofTwoAnswersFoundWithPartsTheOneWinsThatFitsOverTheWhole) {
       [&](RegistrationResult known) {
         const int place = known.correspondence.on_target[0].vertex;
         asked.push_back(place);
-        payForExtending(place == 0 ? -9.0 : -11.5, known);
+        payForExtending(place == 0 ? -9.0 : -11.5, 0, known);
         return std::optional(known);
       },
       clock);
@@ -143,6 +150,27 @@ TEST(Attempts, ofTwoAnswersFoundWithPartsTheOneWinsThatFitsOverTheWhole) {
   ASSERT_EQ(result.alternatives.size(), 2u);
   EXPECT_GT(*result.alternatives[1 - result.chosen].refined_score, -10);
   EXPECT_GT(result.trust, 0.85);
+}
+
+TEST(Attempts, anAnswerThatDoesNotGoOnGivesWayToABetterOne) {
+  RegistrationOptions options;
+  const Observer nobody;
+  StageClock clock(nobody);
+  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
+  const std::vector<Attempt> attempts{{mapOf(-8.5, {1, 2, 0}), {}}, {mapOf(-9.8, {0, 1, 2}), {}}};
+  const RegistrationResult result = bestAttempt(
+      attempts,
+      target,
+      options,
+      [](RegistrationResult known) -> std::optional<RegistrationResult> {
+        if (known.score > -9) return {};  // found with all there is
+        payForExtending(-7.7, 0, known);
+        return known;
+      },
+      clock);
+  EXPECT_EQ(result.score, -8.5);
+  EXPECT_EQ(result.correspondence.on_target[0].vertex, 1);
+  EXPECT_EQ(result.status, Status::UNDECIDED);
 }
 
 TEST(Attempts, aRivalCostsAllMapsTrustAndIsLessLikelyItself) {

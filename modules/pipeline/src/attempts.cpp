@@ -173,10 +173,11 @@ void payForHands(double hands, RegistrationResult& result) {
   giveVerdict(result);
 }
 
-void payForExtending(double score, RegistrationResult& result) {
+void payForExtending(double score, double hands, RegistrationResult& result) {
   const double more = score - result.score;
-  if (!(more > 0)) return;
-  result.score += more;
+  if (result.chosen < 0 || !(more > 0)) return;
+  result.score = score;
+  result.hands = hands;
   for (AlternativeSummary& one : result.alternatives)
     if (one.refined_score) *one.refined_score += more;
   setTrust(std::min(result.trust, trustIn(result)), result);
@@ -225,7 +226,8 @@ std::optional<RegistrationResult> extendedRival(const Rival& rival,
                                                 const Extension& extended,
                                                 StageClock& clock) {
   const RegistrationResult& found = rival.attempt->found;
-  if (!looksAlike(found) || isDecisive(score, found.score)) return {};
+  const bool is_better = found.score < score;
+  if (isDecisive(score, found.score) || !(looksAlike(found) || is_better)) return {};
   std::optional<RegistrationResult> whole = clock.tryTo([&] { return finished(*rival.attempt); });
   if (!whole) return {};
   std::optional<RegistrationResult> more = extended(*whole);
@@ -255,7 +257,12 @@ RegistrationResult bestAttempt(std::vector<Attempt> attempts,
       rival = rivalOf(attempts, best, {&*result, &*more}, target, size);
       result = std::move(more);
       if (rival.attempt != nullptr) other = extendedRival(rival, result->score, extended, clock);
-      if (other && other->score < result->score) std::swap(*result, *other);
+      if (other && other->score < result->score - SCORE_NOISE) std::swap(*result, *other);
+    }
+    if (other) {  // they may agree now
+      const Overlap overlap = overlapOf(*result, *other, target, size);
+      if (!leadsElsewhere(overlap)) return std::move(*result);
+      rival.gap = gapOf(overlap);
     }
     if (rival.attempt == nullptr) return std::move(*result);
     if (!other && options.refine_alternatives)

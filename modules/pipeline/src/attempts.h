@@ -57,8 +57,8 @@ void payForHands(double hands, RegistrationResult& result);
 
 /// For an answer found with a part of a side: how the map scores where it goes on over the whole
 /// (MapScore::totalOfPiece()) counts, if that is worse, and all that was found with the part pays
-/// for it.
-void payForExtending(double score, RegistrationResult& result);
+/// for it. \param hands  what that score has for hands on the other side.
+void payForExtending(double score, double hands, RegistrationResult& result);
 
 /// Whether surface put in, patches or strips, leads an answer astray that was found without it too:
 /// it then scores far worse, hands apart.
@@ -82,9 +82,9 @@ using Extension = std::function<std::optional<RegistrationResult>(const Registra
 
 /// Of several attempts at one pair, on different parts of it, the one that scores best, the first
 /// if none is better by more than scores vary, finished; one that cannot be is left out, but for
-/// the first. The best of the others that leads elsewhere is named among its alternatives; if it
-/// was found with a part of a side as well and is nearly as good, both are extended and the better
-/// one then wins. \pre  at least one.
+/// the first. The best of the others that leads elsewhere is named among its alternatives; if
+/// the best one was extended and this is nearly as good, it is finished, and extended, too, and the
+/// better one then wins. \pre  at least one.
 /// \param extended  of what was found with a part of a side, which others may then agree with.
 RegistrationResult bestAttempt(std::vector<Attempt> attempts,
                                const TriangleMesh& target,

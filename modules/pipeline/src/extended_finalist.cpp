@@ -10,6 +10,7 @@
 #include <utility>
 
 namespace posture {
+
 Finalist extendedFinalist(const CoarseSides& sides, const RegistrationResult& known) {
   const SpectralSurface &source = sides.source, &target = sides.target;
   ScoredPair extended = extendMap(source,

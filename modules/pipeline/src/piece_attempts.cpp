@@ -7,6 +7,7 @@
 #include "verdict.h"
 #include "whole_source.h"
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,33 +46,40 @@ std::vector<PartPair> partPairs(const GivenShape& source, const GivenShape& targ
   return found;
 }
 
-/// Vertices of the source's main surface that are not of the part: to the attempt they are loose.
-std::vector<int> restOf(const CleanMesh& whole, const CleanMesh& part) {
-  std::vector<int> rest;
-  for (int v = 0; v < whole.offset.size(); ++v)
-    if (part.offset[v] > 0 && !(whole.offset[v] > 0)) rest.push_back(v);
+/// Of each vertex of the input whether it is of the main surface but not of the part: to the
+/// attempt it is loose.
+std::vector<char> restOf(const CleanMesh& whole, const CleanMesh& part) {
+  std::vector<char> rest(static_cast<std::size_t>(whole.offset.size()), 0);
+  for (Eigen::Index v = 0; v < whole.offset.size(); ++v)
+    rest[static_cast<std::size_t>(v)] = part.offset[v] > 0 && !(whole.offset[v] > 0);
   return rest;
 }
 
 /// An attempt with a part of a side, begun.
 struct PieceAttempt {
   BegunAttempt begun;
-  std::vector<int> rest;  ///< of the source
+  std::vector<char> source_rest, target_rest;
 };
 
-/// The result in the figures of the whole. How the rest of the source lies is not known.
+/// The result in the figures of the whole. What corresponds to the rest of a side is not known.
 Attempt ofWhole(Attempt attempt,
                 const ShapeSummary& source,
                 const ShapeSummary& target,
-                const std::vector<int>& rest) {
-  return withChange(std::move(attempt), [source, target, rest](RegistrationResult& result) {
-    result.source = withPart(source, result.source);
-    result.target = withPart(target, result.target);
-    for (int v : rest) {
-      result.correspondence.on_target[v] = {};
-      result.correspondence.confidence[v] = 0;
-    }
-  });
+                const PieceAttempt& piece) {
+  return withChange(
+      std::move(attempt),
+      [source, target, source_rest = piece.source_rest, target_rest = piece.target_rest](
+          RegistrationResult& result) {
+        result.source = withPart(source, result.source);
+        result.target = withPart(target, result.target);
+        std::vector<SurfacePoint>& places = result.correspondence.on_target;
+        for (std::size_t v = 0; v < places.size(); ++v) {
+          const int there = places[v].vertex;
+          if (source_rest[v] == 0 && (there < 0 || target_rest[there] == 0)) continue;
+          places[v] = {};
+          result.correspondence.confidence[static_cast<Eigen::Index>(v)] = 0;
+        }
+      });
 }
 
 }  // namespace
@@ -90,7 +98,8 @@ void addPieceAttempts(const GivenShape& source,
         clock.tryAttempt("piece-" + std::to_string(i + 1), 0, [&, &a = a, &b = b] {
           return beginAttempt({source.input, a}, {target.input, b}, options, clock);
         });
-    if (begun) pieces.push_back({std::move(*begun), restOf(source.clean, a)});
+    if (begun)
+      pieces.push_back({std::move(*begun), restOf(source.clean, a), restOf(target.clean, b)});
   }
   std::stable_sort(pieces.begin(), pieces.end(), [](const PieceAttempt& x, const PieceAttempt& y) {
     return x.begun.score < y.begun.score;
@@ -98,13 +107,12 @@ void addPieceAttempts(const GivenShape& source,
   const ShapeSummary of_source = attempts.front().found.source,
                      of_target = attempts.front().found.target;
   std::optional<double> convincing;
-  for (const auto& [begun, rest] : pieces) {
-    if (convincing && isDecisive(*convincing, begun.score)) break;
-    std::optional<Attempt> piece =
-        clock.tryTo([&, &one = begun] { return *one.goOn(nullptr, false); });
-    if (!piece) continue;
-    if (!convincing && looksAlike(piece->found)) convincing = begun.score;
-    attempts.push_back(ofWhole(std::move(*piece), of_source, of_target, rest));
+  for (const PieceAttempt& piece : pieces) {
+    if (convincing && isDecisive(*convincing, piece.begun.score)) break;
+    std::optional<Attempt> attempt = clock.tryTo([&] { return *piece.begun.goOn(nullptr, false); });
+    if (!attempt) continue;
+    if (!convincing && looksAlike(attempt->found)) convincing = piece.begun.score;
+    attempts.push_back(ofWhole(std::move(*attempt), of_source, of_target, piece));
   }
 }
 
@@ -117,12 +125,13 @@ std::optional<RegistrationResult> extendedToWhole(const GivenShape& source,
   std::optional<RegistrationResult> whole = clock.tryAttempt("extended", 0, [&] {
     return finished(extendedAnswer(source, target, known, options, clock));
   });
-  if (whole && whole->chosen >= 0 && goesOn(known, *whole, target.input)) {
-    payForExtending(whole->score, known);
+  if (whole && whole->chosen >= 0 && std::isfinite(whole->score) &&
+      goesOn(known, *whole, target.input)) {
+    payForExtending(whole->score, whole->hands, known);
     setTrust(known.trust, *whole);
     return withMapOf(std::move(known), std::move(*whole));
   }
-  payForExtending(NO_WAY_ON, known);
+  payForExtending(NO_WAY_ON, 0, known);
   if (known.source.compared_share < 1)
     if (auto laid = clock.tryTo([&] { return restLaid(source, known); }))
       known.deformed = std::move(*laid);

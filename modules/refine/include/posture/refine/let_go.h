@@ -17,8 +17,8 @@ constexpr double MOST_LET_GO = 0.5;
 
 /// The vertices of a around which a map changes distances along the surface by far more than
 /// elsewhere: a head is squeezed onto the neck where the other surface ends there.
-/// \param apart  vertices whose matches do not count, as in BentPair; what is near none of the
-///               others is not marked.
+/// \param apart  vertices whose matches do not count, as in BentPair; what is apart has the
+///               mark of the nearest place that is not.
 /// \pre  any prefix of a's vertices is spread evenly (as reduceMesh() orders them), and both
 ///       surfaces are in a unit of about the square root of their area.
 std::vector<char> misplaced(const SpectralSurface& a,
