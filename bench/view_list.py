@@ -16,112 +16,41 @@ import os
 import random
 import sys
 
-from benchmark_files import FAMILIES, cross, dot, minus, read_mesh, read_truth
+from benchmark_files import FAMILIES, dot, minus, read_mesh, read_truth
+from depth_image import View, direction, direction_near
 
 EACH, POINTS = 3, 15000
-NOISE = 0.0008  # of the diagonal
-GRAZING = 0.15  # cosine
-AWAY = 2.5      # of the camera, in diagonals
 APART = 30      # degrees between the directions of the two cameras
 
 
-def unit(a):
-    length = math.sqrt(dot(a, a))
-    return tuple(x / length for x in a)
-
-
-def direction(draw):
-    return unit([draw.gauss(0, 1) for _ in range(3)])
-
-
-def direction_near(axis, draw):
-    other = direction(draw)
-    while dot(axis, other) < math.cos(math.radians(APART)):
-        other = direction(draw)
-    return other
-
-
-class View:
-    """What a camera sees: for each pixel the place and the vertex it is nearest to."""
-
-    def __init__(self, vertices, faces, axis, draw):
-        low, high = ([f(v[i] for v in vertices) for i in range(3)] for f in (min, max))
-        middle = tuple((a + b) / 2 for a, b in zip(low, high))
-        self.diagonal = math.sqrt(dot(minus(high, low), minus(high, low)))
-        self.axis = axis
-        self.eye = tuple(m - AWAY * self.diagonal * x for m, x in zip(middle, self.axis))
-        least = min(range(3), key=lambda i: abs(self.axis[i]))
-        self.right = unit(cross(self.axis, tuple(float(i == least) for i in range(3))))
-        self.down = cross(self.axis, self.right)
-        self.size = 240
-        hits = self.rendered(vertices, faces)
-        self.size = round(self.size * math.sqrt(POINTS / len(hits)))
-        self.pixels = {}
-        for pixel, (depth, face, weights) in self.rendered(vertices, faces).items():
-            a, b, c = (vertices[v] for v in faces[face])
-            place = tuple(sum(w * x[i] for w, x in zip(weights, (a, b, c))) for i in range(3))
-            ray, normal = unit(minus(place, self.eye)), cross(minus(b, a), minus(c, a))
-            if not abs(dot(ray, normal)) > GRAZING * math.sqrt(dot(normal, normal)):
+def write(view, path, vertices):
+    """The image, and where on the mesh each pixel lies. Returns the pixel of each vertex: the
+    nearest that shows it, or else one without a return, and the number of vertices shown."""
+    count = view.size * view.size
+    own, free, on_mesh = {}, [], []
+    with open(path + ".pcd", "w") as out:
+        out.write("VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
+                  "WIDTH %d\nHEIGHT %d\nVIEWPOINT %.9g %.9g %.9g 1 0 0 0\nPOINTS %d\n"
+                  "DATA ascii\n" % (view.size, view.size, *view.eye, count))
+        for pixel in range(count):
+            found = view.pixels.get((pixel % view.size, pixel // view.size))
+            if found is None:
+                out.write("nan nan nan\n")
+                free.append(pixel)
                 continue
-            off = draw.gauss(0, NOISE * self.diagonal)
-            self.pixels[pixel] = (tuple(x + off * r for x, r in zip(place, ray)),
-                                  faces[face][weights.index(max(weights))])
-
-    def rendered(self, vertices, faces):
-        scale = self.size * AWAY  # the diagonal spans the image
-        seen, at = {}, []
-        for v in vertices:
-            d = minus(v, self.eye)
-            depth = dot(d, self.axis)
-            at.append((scale * dot(d, self.right) / depth + self.size / 2,
-                       scale * dot(d, self.down) / depth + self.size / 2, depth))
-        for number, (i, j, k) in enumerate(faces):
-            a, b, c = at[i], at[j], at[k]
-            whole = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-            if whole == 0:
-                continue
-            for y in range(math.ceil(min(a[1], b[1], c[1])), math.floor(max(a[1], b[1], c[1])) + 1):
-                for x in range(math.ceil(min(a[0], b[0], c[0])),
-                               math.floor(max(a[0], b[0], c[0])) + 1):
-                    u = ((b[0] - x) * (c[1] - y) - (b[1] - y) * (c[0] - x)) / whole
-                    v = ((c[0] - x) * (a[1] - y) - (c[1] - y) * (a[0] - x)) / whole
-                    if u < 0 or v < 0 or u + v > 1:
-                        continue
-                    # Inverse depths are linear in the image.
-                    weights = (u / a[2], v / b[2], (1 - u - v) / c[2])
-                    depth = 1 / sum(weights)
-                    if (x, y) not in seen or depth < seen[x, y][0]:
-                        seen[x, y] = (depth, number, tuple(w * depth for w in weights))
-        return seen
-
-    def write(self, path, vertices):
-        """The image, and where on the mesh each pixel lies. Returns the pixel of each vertex: the
-        nearest that shows it, or else one without a return, and the number of vertices shown."""
-        count = self.size * self.size
-        own, free, on_mesh = {}, [], []
-        with open(path + ".pcd", "w") as out:
-            out.write("VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
-                      "WIDTH %d\nHEIGHT %d\nVIEWPOINT %.9g %.9g %.9g 1 0 0 0\nPOINTS %d\n"
-                      "DATA ascii\n" % (self.size, self.size, *self.eye, count))
-            for pixel in range(count):
-                found = self.pixels.get((pixel % self.size, pixel // self.size))
-                if found is None:
-                    out.write("nan nan nan\n")
-                    free.append(pixel)
-                    continue
-                place, vertex = found
-                out.write("%.7g %.7g %.7g\n" % place)
-                off = minus(place, vertices[vertex])
-                own.setdefault(vertex, []).append((dot(off, off), pixel))
-                on_mesh.append((pixel, vertex))
-        shown = {v: min(pixels)[1] for v, pixels in own.items()}
-        hidden = [v for v in range(len(vertices)) if v not in shown]
-        if len(hidden) > len(free):
-            sys.exit("%s: fewer missing pixels than vertices that are hidden" % path)
-        on_mesh += [(pixel, v) for pixel, v in zip(free, hidden)]
-        with open(path + ".txt", "w") as out:
-            out.writelines("%d %d\n" % row for row in on_mesh)
-        return {**shown, **dict(zip(hidden, free))}, set(shown), dict(on_mesh)
+            place, vertex = found
+            out.write("%.7g %.7g %.7g\n" % place)
+            off = minus(place, vertices[vertex])
+            own.setdefault(vertex, []).append((dot(off, off), pixel))
+            on_mesh.append((pixel, vertex))
+    shown = {v: min(pixels)[1] for v, pixels in own.items()}
+    hidden = [v for v in range(len(vertices)) if v not in shown]
+    if len(hidden) > len(free):
+        sys.exit("%s: fewer missing pixels than vertices that are hidden" % path)
+    on_mesh += [(pixel, v) for pixel, v in zip(free, hidden)]
+    with open(path + ".txt", "w") as out:
+        out.writelines("%d %d\n" % row for row in on_mesh)
+    return {**shown, **dict(zip(hidden, free))}, set(shown), dict(on_mesh)
 
 
 def main(benchmark, out, seed):
@@ -140,14 +69,14 @@ def main(benchmark, out, seed):
         for row in chosen:
             draw = random.Random(row["id"] + seed)
             axis = direction(draw)
-            axes = {"source": axis, "target": direction_near(axis, draw)}
+            axes = {"source": axis, "target": direction_near(axis, APART, draw)}
             mesh, view, paths = {}, {}, {}
             for side in ("source", "target"):
                 vertices, faces = read_mesh(os.path.join(benchmark, row[side]))
                 mesh[side] = vertices
                 paths[side] = os.path.abspath(os.path.join(out, row["id"] + "-" + side))
-                view[side] = View(vertices, faces, axes[side], draw).write(
-                    paths[side], vertices)
+                view[side] = write(View(vertices, faces, axes[side], POINTS, draw),
+                                   paths[side], vertices)
             truth = read_truth(benchmark, row["truth"], len(mesh["source"]))
             shown = {side: view[side][1] for side in view}
             both = sum(v in shown["source"] and w in shown["target"] for v, w in truth)

@@ -12,6 +12,7 @@
 #include <posture/mesh/handles.h>
 #include <posture/mesh/vertex_neighbors.h>
 
+#include "contact_seam.h"
 #include "cut_surface.h"
 #include <algorithm>
 #include <limits>
@@ -206,9 +207,9 @@ PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean) {
     };
     for (std::size_t i = 0; i < ring->vertices.size(); ++i) {
       const std::vector<int> path = paths.shortest(place(i), place(i + 1));
-      along.insert(along.end(), path.begin(), path.end());
+      along.insert(along.end(), path.begin(), path.end() - 1);
     }
-    if (!cut.cutOut(along)) break;
+    if (!cut.cutOut(contactSeam(surface, along))) break;
     ++contacts;
   }
   return {cut.clean(), contacts};

@@ -2,67 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "inside_cut.h"
 
+#include <posture/mesh/minimum_cut.h>
+
 #include <Eigen/Geometry>
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace posture {
 namespace {
-
-/// A cut through the graph of tetrahedra, source and sink. Edges run both ways.
-class CutGraph {
- public:
-  explicit CutGraph(int count) : graph_(count + 2), source_(count), sink_(count + 1) {}
-
-  /// Costs `amount` to have t inside, if positive; else -amount to have it outside.
-  void vote(int t, double amount) {
-    if (amount > 0) connect(source_, t, amount, 0);
-    if (amount < 0) connect(t, sink_, -amount, 0);
-  }
-
-  void connect(int a, int b, double there, double back) {
-    const Edge forward = boost::add_edge(a, b, graph_).first,
-               backward = boost::add_edge(b, a, graph_).first;
-    boost::put(boost::edge_capacity, graph_, forward, there);
-    boost::put(boost::edge_capacity, graph_, backward, back);
-    boost::put(boost::edge_reverse, graph_, forward, backward);
-    boost::put(boost::edge_reverse, graph_, backward, forward);
-  }
-
-  /// Non-zero for what is cut off from the source: the inside.
-  std::vector<char> cut() {
-    boost::boykov_kolmogorov_max_flow(graph_, source_, sink_);
-    using Color = boost::color_traits<boost::default_color_type>;
-    std::vector<char> inside(source_);
-    for (int t = 0; t < source_; ++t)
-      inside[t] = boost::get(boost::vertex_color, graph_, t) != Color::black();
-    return inside;
-  }
-
- private:
-  using Traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
-  using Edge = Traits::edge_descriptor;
-  using VertexProperties =
-      boost::property<boost::vertex_color_t,
-                      boost::default_color_type,
-                      boost::property<boost::vertex_distance_t,
-                                      int,
-                                      boost::property<boost::vertex_predecessor_t, Edge>>>;
-  using EdgeProperties =
-      boost::property<boost::edge_capacity_t,
-                      double,
-                      boost::property<boost::edge_residual_capacity_t,
-                                      double,
-                                      boost::property<boost::edge_reverse_t, Edge>>>;
-
-  boost::
-      adjacency_list<boost::vecS, boost::vecS, boost::directedS, VertexProperties, EdgeProperties>
-          graph_;
-  int source_, sink_;
-};
 
 /// How a tetrahedron is seen from one of its corners.
 struct Aspect {
@@ -136,17 +84,18 @@ std::vector<char> insideByCut(const Points& points,
                               const Points& normals) {
   const Tetrahedra& tetrahedra = spheres.tetrahedra();
   const std::vector<double> outside = votes(points, stars, spheres, normals);
-  CutGraph graph(tetrahedra.size());
+  MinimumCut cut(tetrahedra.size());
   for (int t = 0; t < tetrahedra.size(); ++t) {
-    graph.vote(t, outside[t]);
+    if (outside[t] > 0) cut.joinSource(t, outside[t]);
+    if (outside[t] < 0) cut.joinSink(t, -outside[t]);
     for (int k = 0; k < 4; ++k) {
       const int beyond = tetrahedra.beyond[t][k];
       if (beyond < t) continue;
       const double cost = faceCost(spheres, t, k);
-      graph.connect(t, beyond, cost, cost);
+      cut.join(t, beyond, cost);
     }
   }
-  return graph.cut();
+  return cut.onSinkSide();
 }
 
 }  // namespace posture

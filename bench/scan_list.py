@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Writes a list of the benchmark's near-isometric pairs as raw scans of six and of three views show
+them: of three pairs a family, spread evenly, both sides as one cloud of about 25,000 points without
+faces or normals. The cameras are drawn by the pair's name and a seed, no two of a scan less than
+60 degrees (six views) or 80 degrees (three) apart; noise lies along their rays, grazing returns are
+missing, and one point in 500 is anywhere in the box around. The source has a frame and a unit of its
+own.
+
+Counted is what both scans show, on the mesh behind the target.
+
+    bench/scan_list.py BENCHMARK_FOLDER OUT_FOLDER [SEED]
+    posture benchmark OUT_FOLDER/scans.csv -o RESULTS
+"""
+import csv
+import math
+import os
+import random
+import sys
+
+from benchmark_files import FAMILIES, cross, dot, read_mesh, read_truth
+from depth_image import View, direction
+
+EACH, POINTS = 3, 25000
+APART = {6: 60, 3: 80}  # degrees between cameras, by their number
+OUTLIERS = 1 / 500
+
+
+def directions(count, draw):
+    least = math.cos(math.radians(APART[count]))
+    while True:
+        chosen = []
+        for _ in range(200):
+            new = direction(draw)
+            if all(dot(new, old) < least for old in chosen):
+                chosen.append(new)
+            if len(chosen) == count:
+                return chosen
+
+
+def elsewhere(points, draw):
+    """In another frame, a hundred times as large."""
+    x = direction(draw)
+    y = cross(x, direction(draw))
+    length = math.sqrt(dot(y, y))
+    y = tuple(c / length for c in y)
+    axes = (x, y, cross(x, y))
+    return [tuple(100 * dot(axis, p) + 1000 for axis in axes) for p in points]
+
+
+def scan(vertices, faces, count, draw):
+    """Points, and of each the vertex it is nearest to, or none."""
+    points = []
+    for axis in directions(count, draw):
+        view = View(vertices, faces, axis, POINTS // count, draw)
+        points += [view.pixels[pixel] for pixel in sorted(view.pixels)]
+    low, high = ([f(v[i] for v in vertices) for i in range(3)] for f in (min, max))
+    for _ in range(round(OUTLIERS * len(points))):
+        points.append((tuple(draw.uniform(a, b) for a, b in zip(low, high)), None))
+    return points
+
+
+def write(path, points):
+    with open(path, "w") as out:
+        out.writelines("%.7g %.7g %.7g\n" % p for p in points)
+
+
+def main(benchmark, out, seed):
+    os.makedirs(out, exist_ok=True)
+    with open(os.path.join(benchmark, "pairs.csv")) as pairs:
+        rows = list(csv.DictReader(pairs))
+    with open(os.path.join(out, "scans.csv"), "w", newline="") as listed:
+        table = csv.DictWriter(listed, ["id", "family", "kind", "source", "target", "truth",
+                                        "target_surface", "target_surface_vertices", "note"])
+        table.writeheader()
+        for family in FAMILIES:
+            own = [row for row in rows if row["family"] == family]
+            for row in (own[i * len(own) // EACH] for i in range(EACH)):
+                mesh = {side: read_mesh(os.path.join(benchmark, row[side]))
+                        for side in ("source", "target")}
+                truth = dict(reversed(read_truth(benchmark, row["truth"], len(mesh["source"][0]))))
+                for count in APART:
+                    new = "%s-%d-views" % (row["id"], count)
+                    draw = random.Random(new + seed)
+                    path = os.path.abspath(os.path.join(out, new))
+                    source, target = (scan(*mesh[side], count, draw)
+                                      for side in ("source", "target"))
+                    write(path + "-source.xyz", elsewhere([p for p, _ in source], draw))
+                    write(path + "-target.xyz", [p for p, _ in target])
+                    shown = {}
+                    for i, (_, w) in enumerate(target):
+                        if w is not None:
+                            shown.setdefault(w, i)
+                    with open(path + ".txt", "w") as lines:
+                        lines.writelines("%d %d\n" % (i, shown[truth[v]])
+                                         for i, (_, v) in enumerate(source)
+                                         if truth.get(v) in shown)
+                    with open(path + "-vertices.txt", "w") as lines:
+                        lines.writelines("%d %d\n" % (i, w) for i, (_, w) in enumerate(target)
+                                         if w is not None)
+                    table.writerow({
+                        "id": new, "family": family, "kind": "scans", "source": path + "-source.xyz",
+                        "target": path + "-target.xyz", "truth": path + ".txt",
+                        "target_surface": os.path.abspath(os.path.join(benchmark, row["target"])),
+                        "target_surface_vertices": path + "-vertices.txt",
+                        "note": "%d and %d points" % (len(source), len(target))})
+
+
+if __name__ == "__main__":
+    if not 3 <= len(sys.argv) <= 4:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2], sys.argv[3] if len(sys.argv) == 4 else "")

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/handles.h>
+
+#include <gtest/gtest.h>
+
+#include "contact_seam.h"
+#include "support/shapes.h"
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace posture {
+namespace {
+
+constexpr int AROUND = 120, ACROSS = 30;
+constexpr double PI = 3.141592653589793;
+
+/// A torus with the thickness of its tube times `factor` of the angle around, in (-pi, pi].
+template <class Factor>
+TriangleMesh tube(const Factor& factor) {
+  TriangleMesh mesh = test::torus(AROUND, ACROSS, 1, 0.35);
+  for (auto vertex : mesh.vertices.rowwise()) {
+    const double angle = std::atan2(vertex.y(), vertex.x());
+    const Eigen::RowVector3d middle(std::cos(angle), std::sin(angle), 0);
+    vertex = middle + factor(angle) * (vertex - middle);
+  }
+  return mesh;
+}
+
+/// Slowly narrower towards pi, where it has 0.4 of its thickness, and with a fold at 0, where it
+/// has 0.6: as an arm whose hand has grown together with something.
+double armAndFold(double angle) {
+  const double along = std::abs(angle);
+  return std::min(1 - 0.6 * std::pow(along / PI, 2), 0.6 + 2.5 * along);
+}
+
+std::vector<int> ringAt(int around) {
+  std::vector<int> ring(ACROSS);
+  for (int j = 0; j < ACROSS; ++j) ring[j] = around * ACROSS + j;
+  return ring;
+}
+
+double lengthOf(const TriangleMesh& mesh, const std::vector<int>& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    sum += (mesh.vertices.row(ring[i]) - mesh.vertices.row(ring[(i + 1) % ring.size()])).norm();
+  return sum;
+}
+
+int handlesWithout(const TriangleMesh& mesh, const std::vector<int>& vertices) {
+  Faces left(mesh.faces.rows(), 3);
+  int count = 0;
+  for (const auto& face : mesh.faces.rowwise())
+    if (std::none_of(
+            vertices.begin(), vertices.end(), [&](int v) { return (face.array() == v).any(); }))
+      left.row(count++) = face;
+  return Handles({mesh.vertices, left.topRows(count)}).count();
+}
+
+TEST(ContactSeam, IsInTheFoldNotWhereTheTubeIsNarrowest) {
+  const TriangleMesh mesh = tube(armAndFold);
+  const std::vector<int> narrowest = ringAt(AROUND / 2);
+  ASSERT_LT(lengthOf(mesh, narrowest), 0.8 * lengthOf(mesh, ringAt(0)));
+  const std::vector<int> seam = contactSeam(mesh, narrowest);
+  for (int v : seam) {
+    const int steps = v / ACROSS;
+    EXPECT_LE(std::min(steps, AROUND - steps), 2);
+  }
+  EXPECT_EQ(Handles(mesh).count(), 1);
+  EXPECT_EQ(handlesWithout(mesh, seam), 0);
+}
+
+TEST(ContactSeam, IsTheSameFromWhereverTheRingIs) {
+  const TriangleMesh mesh = tube(armAndFold);
+  const auto sorted = [](std::vector<int> vertices) {
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+  };
+  const std::vector<int> seam = sorted(contactSeam(mesh, ringAt(AROUND / 2)));
+  EXPECT_EQ(sorted(contactSeam(mesh, ringAt(AROUND / 4))), seam);
+  std::vector<int> other_way = ringAt(AROUND / 3);
+  std::reverse(other_way.begin(), other_way.end());
+  EXPECT_EQ(sorted(contactSeam(mesh, other_way)), seam);
+}
+
+TEST(ContactSeam, IsTheRingWhereNoPathIsCheaper) {
+  // The tube is narrowest and folds inwards at 0.
+  const TriangleMesh mesh = tube([](double angle) { return 0.4 + std::abs(angle) / PI; });
+  const std::vector<int> ring = ringAt(0);
+  EXPECT_EQ(contactSeam(mesh, ring), ring);
+}
+
+TEST(ContactSeam, DoesNotCountWaysThereAndBack) {
+  const TriangleMesh mesh = tube(armAndFold);
+  const std::vector<int> ring = ringAt(AROUND / 2);
+  std::vector<int> with_spur = ring;
+  const int off = ring.front() + ACROSS;
+  with_spur.insert(with_spur.begin() + 1, {off, ring.front()});
+  EXPECT_EQ(contactSeam(mesh, with_spur), contactSeam(mesh, ring));
+}
+
+TEST(ContactSeam, PassesAHoleInTheFold) {
+  // Of the fold half was not seen: it still opens the handle, with fewer vertices.
+  TriangleMesh mesh = tube(armAndFold);
+  const int whole = static_cast<int>(contactSeam(mesh, ringAt(AROUND / 2)).size());
+  Faces left(mesh.faces.rows(), 3);
+  int count = 0;
+  for (const auto& face : mesh.faces.rowwise()) {
+    const Eigen::RowVector3d middle = mesh.vertices(face.reshaped(), Eigen::all).colwise().mean();
+    if (!(middle.x() > 0 && std::abs(middle.y()) < 0.12 && middle.z() > 0))
+      left.row(count++) = face;
+  }
+  mesh.faces = left.topRows(count);
+  const std::vector<int> seam = contactSeam(mesh, ringAt(AROUND / 2));
+  EXPECT_LT(static_cast<int>(seam.size()), 0.7 * whole);
+  EXPECT_EQ(handlesWithout(mesh, seam), 0);
+}
+
+}  // namespace
+}  // namespace posture
