@@ -57,6 +57,7 @@ void benchmark(const BenchmarkOptions& options, const Common& common) {
   options.selection.check(pairs);
   checkTexts(options.list, pairs);
   makeFolder(options.folder / "pairs");
+  requireNoInput(options.folder, {"results.csv"}, {options.list});
   checkWritable(options.folder / "RESULTS.md");  // now, not after hours
 
   const auto asked = static_cast<std::size_t>(std::count_if(

@@ -107,6 +107,7 @@ void print(const Comparison& comparison, const fs::path& folder) {
 void compare(const CompareOptions& options, const Common& common) {
   const std::vector<ComparedRun> runs = runsOf(options, common);
   makeFolder(options.folder / "runs");
+  requireNoInput(options.folder, {"comparison.csv"}, {options.source});
   checkWritable(options.folder / "comparison.md");
   const auto asked = std::count_if(
       runs.begin(), runs.end(), [&](const auto& run) { return isAsked(run, options); });

@@ -123,6 +123,14 @@ void writeFigures(const fs::path& folder, const Json& json) {
 void evaluate(const EvaluateOptions& options, const Common& common) {
   if (!options.folder.empty()) {
     makeFolder(options.folder);
+    requireNoInput(options.folder,
+                   {"evaluation.json", "curve.csv", "curve.svg", "histogram.svg"},
+                   {options.map,
+                    options.truth,
+                    options.target,
+                    options.mirror,
+                    options.surface,
+                    options.surface_vertices});
     checkWritable(options.folder / "evaluation.json");
   }
   const Json json = measure(options);

@@ -23,6 +23,12 @@ void requireNoInput(const std::filesystem::path& output,
       throw InputError(input.string() + ": would be written over by the output");
 }
 
+void requireNoInput(const std::filesystem::path& folder,
+                    const std::vector<std::string>& names,
+                    const std::vector<std::filesystem::path>& inputs) {
+  for (const std::string& name : names) requireNoInput(folder / name, inputs);
+}
+
 void checkWritable(const std::filesystem::path& path) { const AtomicFile probe(path); }
 
 void writeText(const std::filesystem::path& path, const std::string& text) {

@@ -15,6 +15,11 @@ void makeFolder(const std::filesystem::path& folder);
 void requireNoInput(const std::filesystem::path& output,
                     const std::vector<std::filesystem::path>& inputs);
 
+/// The same for several files of a folder.
+void requireNoInput(const std::filesystem::path& folder,
+                    const std::vector<std::string>& names,
+                    const std::vector<std::filesystem::path>& inputs);
+
 /// \throws InputError  the file could not be written.
 void checkWritable(const std::filesystem::path& path);
 

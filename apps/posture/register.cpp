@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
 #include <posture/io/shape_io.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/pipeline/segment_shape.h>
@@ -15,6 +16,7 @@
 #include "verbs.h"
 #include <chrono>
 #include <cstdio>
+#include <exception>
 #include <memory>
 #include <omp.h>
 #include <optional>
@@ -69,15 +71,24 @@ void registerVerb(const RegisterOptions& options, Common& common) {
         if (dump) dump->write(event);
       });
   std::optional<ShapeSegments> segments;
-  if (result.status == Status::REGISTERED) segments = segmentShape(source.shape, {result});
+  try {
+    if (result.status == Status::REGISTERED) segments = segmentShape(source.shape, {result});
+  } catch (const std::exception& error) {  // what took minutes is not lost for it
+    std::fprintf(stderr, "posture: without near-rigid parts: %s\n", error.what());
+  }
   bar.show("writing", 1);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   const RunDescription run = describe(options, result, elapsed.count());
-  removeResultFiles(options.folder);  // no mix of two results
-  writeResultFiles(options.folder, source.shape, target.shape, result, segments);
   const std::string report = reportJson(result, run);  // once: it says how much memory was used
-  writeText(options.folder / "report.json", report);
-  writeText(options.folder / "report.html", reportHtml(result, run));
+  removeResultFiles(options.folder);                   // no mix of two results
+  try {
+    writeResultFiles(options.folder, source.shape, target.shape, result, segments);
+    writeText(options.folder / "report.html", reportHtml(result, run));
+    writeText(options.folder / "report.json", report);
+  } catch (const InputError&) {  // no part of one either
+    removeResultFiles(options.folder);
+    throw;
+  }
   bar.clear();
 
   if (common.json) std::printf("%s", report.c_str());

@@ -77,11 +77,14 @@ std::vector<fs::path> namesIn(const fs::path& folder, IsName is_one) {
 /// A link is as good as the file.
 void requireApart(const fs::path& folder, const std::vector<fs::path>& inputs, IsName is_one) {
   std::error_code error;
-  for (const fs::path& name : namesIn(folder, is_one))
+  for (const fs::path& name : namesIn(folder, is_one)) {
+    if (fs::is_directory(folder / name, error))
+      throw InputError((folder / name).string() + ": is a folder, where a result is to be");
     for (const fs::path& input : inputs)
       if (fs::equivalent(folder / name, input, error))
         throw InputError(input.string() + ": would be written over, as the results go to " +
                          folder.string());
+  }
 }
 
 }  // namespace

@@ -3,11 +3,31 @@
 #include "target_places.h"
 
 #include <posture/core/error.h>
+#include <posture/core/finite_rows.h>
+#include <posture/core/median.h>
 #include <posture/io/correspondence_io.h>
 #include <posture/io/mesh_io.h>
+#include <posture/mesh/edges.h>
 #include <posture/mesh/point_index.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace posture::app {
+
+namespace {
+
+/// How far most of a scan's points may lie from the vertices of the surface they were taken of: the
+/// vertices' spacing, and noise; and little beside the scan, where the surface is in a smaller
+/// unit.
+double mostApart(const Points& points, const TriangleMesh& surface) {
+  constexpr double NOISE = 0.02, LITTLE = 0.1;
+  const Points seen = points(finiteRows(points), Eigen::all);
+  const double size = (seen.colwise().maxCoeff() - seen.colwise().minCoeff()).norm();
+  return std::min(2 * meanEdgeLength(surface) + NOISE * rootArea(surface), LITTLE * size);
+}
+
+}  // namespace
 
 TargetPlaces::TargetPlaces(const Shape& target,
                            const std::filesystem::path& surface,
@@ -29,8 +49,16 @@ TargetPlaces::TargetPlaces(const Shape& target,
   mesh_ = readMesh(surface).mesh;
   if (vertices.empty()) {
     const PointIndex index(mesh_.vertices);
-    for (int i = 0; i < points.rows(); ++i)
-      if (points.row(i).allFinite()) vertex_[i] = index.nearest(points.row(i)).index;
+    std::vector<double> distances;
+    for (int i = 0; i < points.rows(); ++i) {
+      if (!points.row(i).allFinite()) continue;
+      const PointIndex::Neighbor nearest = index.nearest(points.row(i));
+      vertex_[i] = nearest.index;
+      distances.push_back(nearest.distance);
+    }
+    if (!distances.empty() && median(std::move(distances)) > mostApart(points, mesh_))
+      throw InputError(surface.string() +
+                       ": is not where the target is: in another unit, or another frame?");
     return;
   }
   for (const VertexPair& pair : readVertexPairs(vertices)) {

@@ -17,9 +17,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <limits>
 #include <new>
 #include <string>
+#include <system_error>
 
 namespace {
 
@@ -111,6 +113,8 @@ void run(const Arguments& arguments) {
   const SheetOptions& options = arguments.sheet;
   std::vector<posture::MeshFile> shapes;
   for (const auto& file : options.files) {
+    if (std::error_code error; std::filesystem::equivalent(file, arguments.output, error))
+      throw posture::InputError(file.string() + ": would be written over by the output");
     shapes.push_back(toDraw(posture::readShape(file)));
     if (shapes.back().mesh.vertices.rows() == 0)
       throw posture::InputError(file.string() + ": there is nothing to draw");

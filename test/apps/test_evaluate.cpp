@@ -176,6 +176,18 @@ TEST_F(Evaluate, BadInputIsOneLine) {
   expectInputError(
       evaluate("identity.csv", {"--truth", "identity", "--target", folder_ / "cloud.off"}),
       "cloud.off: has all its points on one line");
+  TriangleMesh scaled = test::grid(COLUMNS, ROWS, COLUMNS, ROWS);
+  scaled.vertices *= 1000;
+  scaled.vertices.array() += 500;
+  writeMesh(folder_ / "scaled.off", scaled);
+  expectInputError(
+      evaluate("identity.csv", {"--truth", "identity", "--surface", folder_ / "scaled.off"}),
+      "scaled.off: is not where the target is");
+  std::filesystem::copy_file(folder_ / "identity.csv", folder_ / "curve.csv");
+  const std::string before = test::bytesOf(folder_ / "curve.csv");
+  expectInputError(evaluate("curve.csv", {"--truth", "identity", "-o", folder_.path().string()}),
+                   "curve.csv: would be written over");
+  EXPECT_EQ(test::bytesOf(folder_ / "curve.csv"), before);
 }
 
 TEST_F(Evaluate, WrongUsageIsTwo) {

@@ -222,6 +222,7 @@ TEST(Attempts, oneThatCannotBeFinishedIsLeft) {
   const RegistrationResult result = best({{answerWith(-11, 1), {}}, failing});
   EXPECT_EQ(result.score, -11);
   EXPECT_EQ(result.alternatives.size(), 1u);
+  EXPECT_EQ(best({failing, {answerWith(-11, 1), {}}}).score, -11);
   EXPECT_THROW(best({failing}), std::runtime_error);
 }
 

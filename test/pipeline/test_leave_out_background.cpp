@@ -9,6 +9,7 @@
 #include "leave_out_background.h"
 #include "support/bodies.h"
 #include "support/shapes.h"
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -94,6 +95,25 @@ TEST_F(OnFloors, theFloorIsMovedAsAWhole) {
     const double after = (result().deformed.row(v) - result().deformed.row(n)).norm();
     ASSERT_NEAR(after, result().scale * before, 1e-9);
   }
+}
+
+TEST(DropBackground, whatWasPutOntoAFloorHasNoCounterpart) {
+  RegistrationResult result;
+  result.correspondence.on_target.resize(3);
+  for (int v = 0; v < 3; ++v) result.correspondence.on_target[v].vertex = std::min(v, 1);
+  result.correspondence.confidence = Vector::Ones(3);
+  result.back = WayBack{result.correspondence};
+  const Background none, floor{1, {0, 1, 0}};
+  dropBackground(none, Points::Zero(3, 3), floor, result);
+  const auto places = [](const Correspondence& map) {
+    std::vector<int> found;
+    for (const SurfacePoint& place : map.on_target) found.push_back(place.vertex);
+    return found;
+  };
+  EXPECT_EQ(places(result.correspondence), (std::vector<int>{0, -1, -1}));
+  EXPECT_EQ(result.correspondence.confidence, Vector::Unit(3, 0));
+  // There the floor is what has no row.
+  EXPECT_EQ(places(result.back->correspondence), (std::vector<int>{0, -1, 1}));
 }
 
 TEST(LeaveOutBackground, leavesTheOtherFacesTheirNumbersAndCorners) {

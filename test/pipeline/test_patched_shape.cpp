@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/mesh/connected_parts.h>
+#include <posture/mesh/half_edge_mesh.h>
+#include <posture/mesh/handles.h>
 #include <posture/mesh/normals.h>
 #include <posture/mesh/vertex_neighbors.h>
 #include <posture/pipeline/register_shapes.h>
@@ -71,6 +73,26 @@ TEST(WithPatches, doesNotTurnASurfaceRoundThatItCloses) {
   const Points before = vertexNormals(clean.mesh), after = vertexNormals(patched.clean.mesh);
   for (int v = 0; v < before.rows(); ++v)
     EXPECT_GT(before.row(v).dot(after.row(patched.clean.clean_vertex[clean.input_vertex[v]])), 0.5);
+}
+
+TEST(WithPatches, closesWhatIsCutOpenAtAContact) {
+  const TriangleMesh mesh = test::torus(80, 20, 1, 0.2);
+  const CleanMesh clean = cleanMesh(mesh);
+  const PartedSurface parted = partedSurface(mesh, clean);
+  ASSERT_EQ(parted.contacts, 1);
+  const PatchedShape patched = withPatches(mesh, parted);
+  EXPECT_EQ(patched.holes, 2);
+  EXPECT_EQ(patched.contacts, 1);
+  EXPECT_EQ(Handles(patched.clean.mesh).count(), 0);
+  const HalfEdgeMesh edges(patched.clean.mesh.faces,
+                           static_cast<int>(patched.clean.mesh.vertices.rows()));
+  EXPECT_TRUE(edges.boundaryLoops().empty());
+  // What was given keeps its number, but for the faces along the contact.
+  ASSERT_GT(patched.input.faces.rows(), mesh.faces.rows());
+  for (int f = 0; f < mesh.faces.rows(); ++f) {
+    EXPECT_TRUE(parted.gone[f] != 0 || patched.input.faces.row(f) == mesh.faces.row(f)) << f;
+  }
+  EXPECT_EQ(patched.input.vertices.topRows(mesh.vertices.rows()), mesh.vertices);
 }
 
 TEST(LeaveOutPatches, whatLiesBesideTheRimGoesToItAndTheRestHasNoCounterpart) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "grouped_nearest.h"
+#include <cmath>
 #include <vector>
 
 namespace posture {
@@ -44,6 +45,26 @@ TEST(GroupedNearest, finds_it_where_the_two_sets_are_far_apart) {
   Eigen::MatrixXf far = randomRows(200, 3, rng);
   far.col(1).array() += 5;
   expectNearest(randomRows(300, 3, rng), far);
+}
+
+TEST(GroupedNearest, leaves_rows_out_that_are_no_numbers) {
+  Rng rng(10);
+  const Eigen::MatrixXf a = randomRows(200, 3, rng), b = randomRows(150, 3, rng);
+  Eigen::MatrixXf with_bad(a.rows() + 2, 3);
+  with_bad << a.topRows(60), Eigen::RowVector3f::Constant(NAN), a.bottomRows(140),
+      Eigen::RowVector3f(0, INFINITY, 0);
+  std::vector<int> forward, backward;
+  nearestAmongGroups(with_bad, b, forward, backward);
+  ASSERT_EQ(forward.size(), 202u);
+  for (int i = 0; i < 200; ++i) EXPECT_EQ(forward[i < 60 ? i : i + 1], nearestOf(b, a.row(i))) << i;
+  for (int bad : {60, 201}) EXPECT_TRUE(forward[bad] >= 0 && forward[bad] < 150);
+  for (int j = 0; j < 150; ++j) {
+    const int found = nearestOf(a, b.row(j));
+    EXPECT_EQ(backward[j], found < 60 ? found : found + 1) << j;
+  }
+  nearestAmongGroups(Eigen::MatrixXf::Constant(3, 3, NAN), b, forward, backward);
+  EXPECT_EQ(forward, std::vector<int>(3, 0));
+  EXPECT_EQ(backward, std::vector<int>(150, 0));
 }
 
 TEST(GroupedNearest, takes_sets_smaller_than_a_group) {

@@ -247,7 +247,8 @@ RegistrationResult bestAttempt(std::vector<Attempt> attempts,
     const std::size_t best = bestOf(attempts);
     Rival rival = rivalOf(attempts, best, {&attempts[best].found}, target, size);
     const auto finishBest = [&] { return finished(std::move(attempts[best])); };
-    std::optional<RegistrationResult> result = best == 0 ? finishBest() : clock.tryTo(finishBest);
+    std::optional<RegistrationResult> result =
+        attempts.size() == 1 ? finishBest() : clock.tryTo(finishBest);
     if (!result) {
       attempts.erase(attempts.begin() + static_cast<std::ptrdiff_t>(best));
       continue;

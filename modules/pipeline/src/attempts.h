@@ -81,8 +81,8 @@ RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map)
 using Extension = std::function<std::optional<RegistrationResult>(const RegistrationResult&)>;
 
 /// Of several attempts at one pair, on different parts of it, the one that scores best, the first
-/// if none is better by more than scores vary, finished; one that cannot be is left out, but for
-/// the first. The best of the others that leads elsewhere is named among its alternatives; if
+/// if none is better by more than scores vary, finished; one that cannot be is left out, unless
+/// it is the last. The best of the others that leads elsewhere is named among its alternatives; if
 /// the best one was extended and this is nearly as good, it is finished, and extended, too, and the
 /// better one then wins. \pre  at least one.
 /// \param extended  of what was found with a part of a side, which others may then agree with.

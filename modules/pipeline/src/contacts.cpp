@@ -192,7 +192,7 @@ PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean) {
   CutSurface cut(input, clean);
   int contacts = 0;
   const std::vector<int> welded = weldedContacts(clean.mesh, contacts);
-  if (!welded.empty() && !cut.cutOut(welded)) return {clean, 0};
+  if (!welded.empty() && !cut.cutOut(welded)) return {clean, 0, cut.gone()};
   for (int rings = 0; rings < MOST_RINGS; ++rings) {
     const TriangleMesh& surface = cut.clean().mesh;
     if (Handles(cutNonManifold(surface).mesh).count() == 0) break;
@@ -212,7 +212,7 @@ PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean) {
     if (!cut.cutOut(contactSeam(surface, along))) break;
     ++contacts;
   }
-  return {cut.clean(), contacts};
+  return {cut.clean(), contacts, cut.gone()};
 }
 
 }  // namespace posture

@@ -4,13 +4,16 @@
 
 #include <posture/mesh/clean_mesh.h>
 
+#include <vector>
+
 namespace posture {
 
 /// A main surface cut open where it seems grown together with itself: a hand on a hip that scanning
 /// made one surface, which shortens every path that may go there.
 struct PartedSurface {
-  CleanMesh clean;   ///< of the same input; without the faces along the contacts
-  int contacts = 0;  ///< cut; 0: nothing seems grown together
+  CleanMesh clean;         ///< of the same input; without the faces along the contacts
+  int contacts = 0;        ///< cut; 0: nothing seems grown together
+  std::vector<char> gone;  ///< face of the input -> whether it is along a contact
 };
 
 /// The main surfaces of both sides.
@@ -21,9 +24,9 @@ struct PartedSides {
 };
 
 /// Contacts are looked for where the surface has a handle with a long way around: the narrowest
-/// ring of edges that opens it. Whether scanning made the handle or the body has it, and whether it
-/// is narrowest where it is grown together, is for the maps to tell. Ten handles are opened at
-/// most; a cut that would leave no surface is not made.
+/// ring of edges that opens it leads to where it folds inwards (contactSeam()). Whether scanning
+/// made the handle or the body has it is for the maps to tell. Ten handles are opened at most; a
+/// cut that would leave no surface is not made.
 PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean);
 
 }  // namespace posture

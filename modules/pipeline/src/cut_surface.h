@@ -23,6 +23,9 @@ class CutSurface {
   /// In the whole input's numbering, also after cuts; its summary is of what was left.
   const CleanMesh& clean() const { return clean_; }
 
+  /// Of each face of the input whether it was cut out.
+  const std::vector<char>& gone() const { return gone_; }
+
  private:
   const TriangleMesh& input_;
   CleanMesh clean_;

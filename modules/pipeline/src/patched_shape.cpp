@@ -118,6 +118,7 @@ ShapeSummary summaryWithout(const GivenShape& given,
   ShapeSummary summary = withMeasured(summarize(given), patched);
   summary.patched_holes = shape.holes;
   summary.joined_pieces = shape.pieces;
+  summary.parted_contacts = shape.contacts;
   return summary;
 }
 
@@ -143,6 +144,17 @@ PatchedShape withPatches(const TriangleMesh& input, const CleanMesh& clean) {
           v < of_clean ? ordered.input_vertex[v] : static_cast<int>(n) + v - of_clean;
     }
   cleanAgain(clean, patched);
+  return patched;
+}
+
+PatchedShape withPatches(const TriangleMesh& input, const PartedSurface& parted) {
+  if (parted.contacts == 0) return withPatches(input, parted.clean);
+  // The numbers of faces stay; a face of one corner is dropped in cleaning.
+  TriangleMesh open = input;
+  for (Eigen::Index f = 0; f < open.faces.rows(); ++f)
+    if (parted.gone[f] != 0) open.faces.row(f).setConstant(open.faces(f, 0));
+  PatchedShape patched = withPatches(open, parted.clean);
+  patched.contacts = parted.contacts;
   return patched;
 }
 

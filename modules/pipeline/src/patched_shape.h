@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "contacts.h"
 #include "given_shape.h"
 
 namespace posture {
@@ -16,12 +17,16 @@ struct PatchedShape {
   int holes = 0;     ///< that were closed
   double rims = 0;   ///< length of their rims, over the square root of the area
   int pieces = 0;    ///< that were joined to the main surface
+  int contacts = 0;  ///< that were cut open before
 
   GivenShape given() const { return {input, clean, vertices}; }
 };
 
 /// With holes closed where the surface goes on across them (patchHoles()).
 PatchedShape withPatches(const TriangleMesh& input, const CleanMesh& clean);
+
+/// The same for a surface that is cut open where it seems grown together with itself.
+PatchedShape withPatches(const TriangleMesh& input, const PartedSurface& parted);
 
 /// With pieces joined to the main surface across narrow gaps (bridgePieces()).
 PatchedShape withBridges(const TriangleMesh& input, const CleanMesh& clean);

@@ -21,10 +21,14 @@ constexpr int MOST_PARTS = 4;
 /// What an answer that does not go on over the whole counts as: it can hardly be right.
 constexpr double NO_WAY_ON = EVEN_SCORE + DECISIVE;
 
-/// What was found on a part of a surface, and all of it otherwise.
-ShapeSummary withPart(const ShapeSummary& whole, const ShapeSummary& part) {
+/// What was found on a part of a surface, and all of it otherwise. \param rest  restOf() the part.
+ShapeSummary withPart(const ShapeSummary& whole,
+                      const ShapeSummary& part,
+                      const std::vector<char>& rest) {
   ShapeSummary summary = withMeasured(whole, part);
-  summary.compared_share = part.area / whole.area;
+  // Areas of one surface are summed in different orders.
+  const bool is_all = std::find(rest.begin(), rest.end(), 1) == rest.end();
+  summary.compared_share = is_all ? 1 : part.area / whole.area;
   return summary;
 }
 
@@ -61,6 +65,19 @@ struct PieceAttempt {
   std::vector<char> source_rest, target_rest;
 };
 
+/// Drops the rows of what is the rest of a side, and those that lead to the rest of the other.
+void dropRest(const std::vector<char>& here,
+              const std::vector<char>& there,
+              Correspondence& correspondence) {
+  std::vector<SurfacePoint>& places = correspondence.on_target;
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    const int at = places[v].vertex;
+    if (here[v] == 0 && (at < 0 || there[at] == 0)) continue;
+    places[v] = {};
+    correspondence.confidence[static_cast<Eigen::Index>(v)] = 0;
+  }
+}
+
 /// The result in the figures of the whole. What corresponds to the rest of a side is not known.
 Attempt ofWhole(Attempt attempt,
                 const ShapeSummary& source,
@@ -70,15 +87,10 @@ Attempt ofWhole(Attempt attempt,
       std::move(attempt),
       [source, target, source_rest = piece.source_rest, target_rest = piece.target_rest](
           RegistrationResult& result) {
-        result.source = withPart(source, result.source);
-        result.target = withPart(target, result.target);
-        std::vector<SurfacePoint>& places = result.correspondence.on_target;
-        for (std::size_t v = 0; v < places.size(); ++v) {
-          const int there = places[v].vertex;
-          if (source_rest[v] == 0 && (there < 0 || target_rest[there] == 0)) continue;
-          places[v] = {};
-          result.correspondence.confidence[static_cast<Eigen::Index>(v)] = 0;
-        }
+        result.source = withPart(source, result.source, source_rest);
+        result.target = withPart(target, result.target, target_rest);
+        dropRest(source_rest, target_rest, result.correspondence);
+        if (result.back) dropRest(target_rest, source_rest, result.back->correspondence);
       });
 }
 

@@ -234,12 +234,21 @@ bool chooseMap(const FirstMaps& first_maps, const KnownAnswer& known, StageClock
   return true;
 }
 
+/// The way back where there is no map.
+WayBack nothingBack(const GivenShape& target) {
+  const auto n = target.input.vertices.rows();
+  return {{std::vector<SurfacePoint>(n), Vector::Zero(n)}};
+}
+
 /// The attempt at the map that was chosen.
 Attempt attemptAt(const std::shared_ptr<ChosenMap>& chosen,
                   const RegistrationOptions& options,
                   StageClock& clock) {
   Attempt attempt{chosen->result, {}};
-  if (chosen->result.chosen < 0) return attempt;
+  if (chosen->result.chosen < 0) {
+    if (options.both_ways) attempt.found.back = nothingBack(chosen->target.given);
+    return attempt;
+  }
   if (!options.refine_alternatives) chosen->finalists = {};
   attempt.found.correspondence = roughCorrespondenceOf(chosen->source.given,
                                                        chosen->source.shape,
@@ -296,6 +305,7 @@ Attempt extendedAnswer(const GivenShape& source,
       clock.stage("extending", 0, [&] { return extendedFinalist(first.coarseSides(), known); });
   chooseAmong(first, {std::move(extended)}, clock);
   chosen.result.score = chosen.best.score.totalOfPiece() + chosen.best.hands;
+  chosen.result.trust = trustIn(chosen.result);
   return attemptAt(first.chosen, options, clock);
 }
 

@@ -17,7 +17,7 @@
 #include "verdict.h"
 #include <algorithm>
 #include <optional>
-#include <string>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -76,14 +76,11 @@ Attempt ofParted(Attempt attempt,
 /// \return nothing where there is no contact and the known answer stands.
 std::optional<Attempt> registerWhole(const GivenShape& source,
                                      const GivenShape& target,
+                                     const PartedSides& parted_sides,
                                      const RegistrationOptions& options,
                                      double portion,
                                      const RegistrationResult* known,
                                      StageClock& clock) {
-  const PartedSides parted_sides = clock.stage("contacts", 0, [&] {
-    return PartedSides{partedSurface(source.input, source.clean),
-                       partedSurface(target.input, target.clean)};
-  });
   const bool any = parted_sides.any();
   const BegunAttempt whole = clock.within({"", any ? portion / 2 : portion}, [&] {
     return beginAttempt(source, target, options, clock);
@@ -93,23 +90,34 @@ std::optional<Attempt> registerWhole(const GivenShape& source,
     return beginAttempt(
         cutOpen(source, parted_sides.source), cutOpen(target, parted_sides.target), options, clock);
   });
+  if (!parted) return whole.goOn(known, false);
   std::optional<Attempt> as_given, other;
+  bool is_whole_left = true;  // not gone on with
   const auto isConvincing = [](const std::optional<Attempt>& attempt) {
     return attempt && looksAlike(attempt->found);
   };
-  const auto goOnAsGiven = [&] { as_given = whole.goOn(known, false); };
-  const bool as_given_first = !parted || isDecisive(whole.score, parted->score);
+  const auto goOnAsGiven = [&] {
+    is_whole_left = false;
+    as_given = clock.tryTo([&] { return *whole.goOn(known, false); });
+  };
+  const bool as_given_first = isDecisive(whole.score, parted->score);
   if (as_given_first) goOnAsGiven();
-  if (parted && !(as_given_first && isConvincing(as_given)))
-    other = clock.tryTo([&] { return *parted->goOn(known, false); });
+  if (!isConvincing(as_given)) other = clock.tryTo([&] { return *parted->goOn(known, false); });
   if (other && other->found.chosen < 0) other.reset();  // it has no map
-  if (!as_given && !(isConvincing(other) && isDecisive(parted->score, whole.score))) goOnAsGiven();
+  if (!as_given_first && !(isConvincing(other) && isDecisive(parted->score, whole.score)))
+    goOnAsGiven();
+  if (!as_given && !other) throw std::runtime_error("neither surface can be bent onto the other");
   if (as_given &&
       (!other || (as_given->found.chosen >= 0 &&
                   scoreApartFromHands(*other) > scoreApartFromHands(*as_given) - SCORE_NOISE)))
     return as_given;
   Attempt cut = ofParted(std::move(*other), source, target, parted_sides);
-  cut.finish = [finish = std::move(cut.finish), whole, as_given = std::move(as_given), &clock] {
+  cut.finish = [finish = std::move(cut.finish),
+                whole,
+                is_whole_left,
+                as_given = std::move(as_given),
+                &clock] {
+    if (!as_given && !is_whole_left) return finish();
     std::optional<RegistrationResult> result = clock.tryTo(finish);
     return result ? std::move(*result)
                   : finished(as_given ? *as_given : *whole.goOn(nullptr, false));
@@ -152,9 +160,13 @@ RegistrationResult registerPatched(const GivenShape& source,
                                    const RegistrationOptions& options,
                                    StageClock& clock) {
   constexpr double MANY_RIMS = 0.5;
+  const PartedSides parted = clock.stage("contacts", 0, [&] {
+    return PartedSides{partedSurface(source.input, source.clean),
+                       partedSurface(target.input, target.clean)};
+  });
   const auto [source_patched, target_patched] = clock.stage("holes", 0.01, [&] {
-    return std::pair(withPatches(source.input, source.clean),
-                     withPatches(target.input, target.clean));
+    return std::pair(withPatches(source.input, parted.source),
+                     withPatches(target.input, parted.target));
   });
   const bool many = std::max(source_patched.rims, target_patched.rims) > MANY_RIMS;
   std::optional<Attempt> closed;
@@ -165,7 +177,7 @@ RegistrationResult registerPatched(const GivenShape& source,
           [&](RegistrationResult& result) { leaveOutPatches(source, a, target, b, result); });
     });
   const auto asGiven = [&](double portion, const RegistrationResult* known) {
-    return registerWhole(source, target, options, portion, known, clock);
+    return registerWhole(source, target, parted, options, portion, known, clock);
   };
   if (!closed) return finished(*asGiven(many ? 0.5 : 1, nullptr));
   const auto as_given = clock.tryTo([&] { return asGiven(0.5, &closed->found); });

@@ -143,23 +143,23 @@ void addRival(AlternativeSummary rival, double rival_trust, RegistrationResult& 
 
 void giveVerdict(RegistrationResult& result) {
   result.status = isDecided(result) ? Status::REGISTERED : Status::UNDECIDED;
+  const int rival = rivalOf(result);
+  const bool is_alike = likenessOf(result.score) >= LEAST_TRUST;
   if (result.status == Status::REGISTERED)
     result.message = mappedMessage(result);
-  else if (likenessOf(result.score) < LEAST_TRUST &&
-           likenessOf(result.score - result.hands) >= LEAST_TRUST)
+  else if (!is_alike && likenessOf(result.score - result.hands) >= LEAST_TRUST)
     result.message =
         "the best map takes hands or feet to the mirror images of their like, as one that has "
-        "front "
-        "and back exchanged does: it is trusted to " +
+        "front and back exchanged does: it is trusted to " +
         percent(result.trust) + " only";
-  else if (likenessOf(result.score) < LEAST_TRUST)
+  else if (!is_alike || rival < 0)
     result.message =
         "source and target do not look like one body in two poses: the best map between them is "
         "trusted to " +
         percent(result.trust) + " only";
   else
     result.message = "the data do not decide between answers that lie " +
-                     percent(result.alternatives[rivalOf(result)].gap) +
+                     percent(result.alternatives[rival].gap) +
                      " of the body's size (square root of its area) apart in the mean; the better "
                      "one is trusted to " +
                      percent(result.trust);

@@ -3,8 +3,9 @@
 #include "grouped_nearest.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -18,7 +19,7 @@ constexpr int GROUP = 32;
 constexpr float INFINITE = std::numeric_limits<float>::infinity();
 
 /// Points in an order in which GROUP consecutive ones are near each other, with the nearest points
-/// of another set found so far.
+/// of another set found so far. Those that are not finite are left out.
 struct GroupedPoints {
   explicit GroupedPoints(const MatrixXf& rows);
 
@@ -35,11 +36,12 @@ struct GroupedPoints {
 
   /// For each row as given.
   std::vector<int> found() const {
-    std::vector<int> found(row.size());
+    std::vector<int> found(given_count, 0);
     for (std::size_t i = 0; i < row.size(); ++i) found[row[i]] = nearest[i];
     return found;
   }
 
+  std::size_t given_count;   // of points
   MatrixXf points;           // a column each
   std::vector<int> row;      // as given
   VectorXf half;             // of the squared norms
@@ -51,18 +53,19 @@ struct GroupedPoints {
   void arrange(const MatrixXf& given, int begin, int end);
 };
 
-GroupedPoints::GroupedPoints(const MatrixXf& rows)
-    : row(rows.rows()),
-      least(VectorXf::Constant(rows.rows(), INFINITE)),
-      nearest(rows.rows(), 0),
-      low(rows.cols(), (rows.rows() + GROUP - 1) / GROUP),
-      high(low) {
-  std::iota(row.begin(), row.end(), 0);
+GroupedPoints::GroupedPoints(const MatrixXf& rows) : given_count(rows.rows()) {
   const MatrixXf given = rows.transpose();
-  arrange(given, 0, static_cast<int>(row.size()));
+  const VectorXf squared = given.colwise().squaredNorm();
+  for (int i = 0; i < squared.size(); ++i)
+    if (std::isfinite(squared[i])) row.push_back(i);
+  const auto finite = static_cast<int>(row.size());
+  arrange(given, 0, finite);
   points = given(Eigen::all, row);
-  const VectorXf squared = rows.rowwise().squaredNorm();
   half = 0.5f * squared(row);
+  least = VectorXf::Constant(finite, INFINITE);
+  nearest.assign(finite, 0);
+  low.resize(rows.cols(), (finite + GROUP - 1) / GROUP);
+  high = low;
   for (int g = 0; g < groups(); ++g) {
     low.col(g) = points.middleCols(g * GROUP, size(g)).rowwise().minCoeff();
     high.col(g) = points.middleCols(g * GROUP, size(g)).rowwise().maxCoeff();
@@ -96,6 +99,7 @@ struct GroupPair {
 
 /// Pairs with the least bounds first.
 std::vector<GroupPair> groupPairs(const GroupedPoints& a, const GroupedPoints& b) {
+  if (a.groups() == 0 || b.groups() == 0) return {};
   // What half a squared distance may be off by when it comes from a product.
   const float rounding = 1e-5f * (a.half.maxCoeff() + b.half.maxCoeff());
   std::vector<GroupPair> pairs;

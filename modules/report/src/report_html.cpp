@@ -242,15 +242,16 @@ std::string reportHtml(const RegistrationResult& result, const RunDescription& r
                             "common mesh (E_D) wins.") +
                         candidates(result));
   if (!result.alternatives.empty())
-    body +=
-        section("Answers compared",
-                element("p class=\"note\"",
-                        "The different ways to lay one body on the other that keep the outside "
-                        "out. The score is ln bending + ln curvature + ln distortion + ln (0.02 "
-                        "+ return miss) - 4 ln (1 - let go), of those refined and how much worse "
-                        "ends of limbs fit than under the best of them; the one with the lowest "
-                        "refined score wins.") +
-                    alternatives(result));
+    body += section(
+        "Answers compared",
+        element("p class=\"note\"",
+                "The different ways to lay one body on the other that keep the outside "
+                "out. The score is ln bending + ln curvature + ln distortion + ln (0.02 "
+                "+ return miss) - 4 ln (1 - let go); that of those refined with what they "
+                "pay for hands and feet on the mirror images of their like, and by how much "
+                "worse ends of limbs fit than under the best of them. The one with the "
+                "lowest refined score wins.") +
+            alternatives(result));
   body += section("Shapes", shapes(result, run));
   if (!run.options.empty()) body += section("Options", list(run.options));
   if (!run.files.empty()) body += section("Files", list(run.files));
