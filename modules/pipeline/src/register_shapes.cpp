@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/mesh/edges.h>
 #include <posture/pipeline/register_shapes.h>
-#include <posture/refine/map_score.h>
 
 #include "attempts.h"
 #include "clean_sides.h"
@@ -15,9 +14,9 @@
 #include "scan_side.h"
 #include "stage_clock.h"
 #include "verdict.h"
+#include "whole_attempt.h"
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -32,11 +31,6 @@ constexpr double NEARLY_ALL = 0.9, CLEARLY_MORE = 0.05;
 /// one with the main surface on the other side would be squeezed onto what is next to it.
 constexpr double A_LIMB = 0.02;
 
-/// Of a surface that closes hands are not looked at, of the same one cut open they are.
-double scoreApartFromHands(const Attempt& attempt) {
-  return attempt.found.score - attempt.found.hands;
-}
-
 /// Of the source's vertices, those with a counterpart.
 double mappedShare(const RegistrationResult& result) {
   return static_cast<double>(mappedCount(result.correspondence.on_target)) /
@@ -47,82 +41,6 @@ double mappedShare(const RegistrationResult& result) {
 double shareInPieces(const CleanMesh& clean) {
   const double pieces = surfaceArea(clean.pieces);
   return pieces / (pieces + surfaceArea(clean.mesh));
-}
-
-GivenShape cutOpen(const GivenShape& shape, const PartedSurface& parted) {
-  return {shape.input, parted.clean, shape.patch_vertices};
-}
-
-/// An attempt at surfaces that are cut open, with the summaries of all of them.
-Attempt ofParted(Attempt attempt,
-                 const GivenShape& source,
-                 const GivenShape& target,
-                 const PartedSides& parted) {
-  return withChange(std::move(attempt),
-                    [of_source = summarize(source),
-                     of_target = summarize(target),
-                     a = parted.source.contacts,
-                     b = parted.target.contacts](RegistrationResult& result) {
-                      result.source = withMeasured(of_source, result.source);
-                      result.target = withMeasured(of_target, result.target);
-                      result.source.parted_contacts = a;
-                      result.target.parted_contacts = b;
-                    });
-}
-
-/// Registers the shapes as they are and, where a surface may be grown together with itself, parted:
-/// the better map tells, the first ones already where they decide.
-/// \param known  see BegunAttempt::goOn.
-/// \return nothing where there is no contact and the known answer stands.
-std::optional<Attempt> registerWhole(const GivenShape& source,
-                                     const GivenShape& target,
-                                     const PartedSides& parted_sides,
-                                     const RegistrationOptions& options,
-                                     double portion,
-                                     const RegistrationResult* known,
-                                     StageClock& clock) {
-  const bool any = parted_sides.any();
-  const BegunAttempt whole = clock.within({"", any ? portion / 2 : portion}, [&] {
-    return beginAttempt(source, target, options, clock);
-  });
-  if (!any) return whole.goOn(known, true);
-  const std::optional<BegunAttempt> parted = clock.tryAttempt("parted", portion / 2, [&] {
-    return beginAttempt(
-        cutOpen(source, parted_sides.source), cutOpen(target, parted_sides.target), options, clock);
-  });
-  if (!parted) return whole.goOn(known, false);
-  std::optional<Attempt> as_given, other;
-  bool is_whole_left = true;  // not gone on with
-  const auto isConvincing = [](const std::optional<Attempt>& attempt) {
-    return attempt && looksAlike(attempt->found);
-  };
-  const auto goOnAsGiven = [&] {
-    is_whole_left = false;
-    as_given = clock.tryTo([&] { return *whole.goOn(known, false); });
-  };
-  const bool as_given_first = isDecisive(whole.score, parted->score);
-  if (as_given_first) goOnAsGiven();
-  if (!isConvincing(as_given)) other = clock.tryTo([&] { return *parted->goOn(known, false); });
-  if (other && other->found.chosen < 0) other.reset();  // it has no map
-  if (!as_given_first && !(isConvincing(other) && isDecisive(parted->score, whole.score)))
-    goOnAsGiven();
-  if (!as_given && !other) throw std::runtime_error("neither surface can be bent onto the other");
-  if (as_given &&
-      (!other || (as_given->found.chosen >= 0 &&
-                  scoreApartFromHands(*other) > scoreApartFromHands(*as_given) - SCORE_NOISE)))
-    return as_given;
-  Attempt cut = ofParted(std::move(*other), source, target, parted_sides);
-  cut.finish = [finish = std::move(cut.finish),
-                whole,
-                is_whole_left,
-                as_given = std::move(as_given),
-                &clock] {
-    if (!as_given && !is_whole_left) return finish();
-    std::optional<RegistrationResult> result = clock.tryTo(finish);
-    return result ? std::move(*result)
-                  : finished(as_given ? *as_given : *whole.goOn(nullptr, false));
-  };
-  return cut;
 }
 
 /// What is taken of the attempts with holes as they are and closed, whether they have one answer or
@@ -177,7 +95,8 @@ RegistrationResult registerPatched(const GivenShape& source,
           [&](RegistrationResult& result) { leaveOutPatches(source, a, target, b, result); });
     });
   const auto asGiven = [&](double portion, const RegistrationResult* known) {
-    return registerWhole(source, target, parted, options, portion, known, clock);
+    return clock.within(
+        {"", portion}, [&] { return wholeAttempt(source, target, parted, options, known, clock); });
   };
   if (!closed) return finished(*asGiven(many ? 0.5 : 1, nullptr));
   const auto as_given = clock.tryTo([&] { return asGiven(0.5, &closed->found); });
