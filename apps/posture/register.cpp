@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/core/error.h>
 #include <posture/io/shape_io.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/pipeline/segment_shape.h>
@@ -34,6 +33,7 @@ struct RegisterOptions {
 
 RunDescription describe(const RegisterOptions& options,
                         const RegistrationResult& result,
+                        bool with_segments,
                         double seconds) {
   RunDescription run;
   run.source = options.source.string();
@@ -43,7 +43,7 @@ RunDescription describe(const RegisterOptions& options,
                  {"surface", nameOf(options.surface)},
                  {"both", flag(options.both)},
                  {"alternatives", flag(options.alternatives)}};
-  run.files = resultFiles(result);
+  run.files = resultFiles(result, with_segments);
   run.threads = omp_get_max_threads();
   run.seconds = seconds;
   return run;
@@ -74,18 +74,19 @@ void registerVerb(const RegisterOptions& options, Common& common) {
   try {
     if (result.status == Status::REGISTERED) segments = segmentShape(source.shape, {result});
   } catch (const std::exception& error) {  // what took minutes is not lost for it
+    bar.clear();
     std::fprintf(stderr, "posture: without near-rigid parts: %s\n", error.what());
   }
   bar.show("writing", 1);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  const RunDescription run = describe(options, result, elapsed.count());
+  const RunDescription run = describe(options, result, segments.has_value(), elapsed.count());
   const std::string report = reportJson(result, run);  // once: it says how much memory was used
   removeResultFiles(options.folder);                   // no mix of two results
   try {
     writeResultFiles(options.folder, source.shape, target.shape, result, segments);
     writeText(options.folder / "report.html", reportHtml(result, run));
     writeText(options.folder / "report.json", report);
-  } catch (const InputError&) {  // no part of one either
+  } catch (...) {  // no part of one either
     removeResultFiles(options.folder);
     throw;
   }

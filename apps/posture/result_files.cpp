@@ -103,13 +103,14 @@ void writeColored(const fs::path& path,
   writePointCloud(path, cloud);
 }
 
-std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationResult& result) {
+std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationResult& result,
+                                                             bool with_segments) {
   std::vector<std::pair<std::string, std::string>> files = {
       {"correspondence.csv", "for each source vertex (point) its place on the target"},
       {"registered.ply", "the source, moved onto the target"},
       {"source_colored.ply", "the source, one colour a place; grey: no counterpart"},
       {"target_colored.ply", "the target, in the colours of its counterparts"}};
-  if (result.status == Status::REGISTERED)
+  if (with_segments)
     files.emplace_back("segments.ply", "the source, one colour for what moves almost rigidly");
   if (result.back)
     files.emplace_back("correspondence_back.csv",

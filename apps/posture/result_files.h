@@ -15,7 +15,8 @@
 namespace posture::app {
 
 /// What writeResultFiles() writes: name, what it holds.
-std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationResult& result);
+std::vector<std::pair<std::string, std::string>> resultFiles(const RegistrationResult& result,
+                                                             bool with_segments);
 
 /// The correspondence, the deformed source, both shapes in colours, the surfaces laid through
 /// clouds, the near-rigid parts where there are any, and the alternatives that were taken to full

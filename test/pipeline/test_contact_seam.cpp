@@ -5,9 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "contact_seam.h"
+#include "contacts.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace posture {
@@ -18,8 +22,8 @@ constexpr double PI = 3.141592653589793;
 
 /// A torus with the thickness of its tube times `factor` of the angle around, in (-pi, pi].
 template <class Factor>
-TriangleMesh tube(const Factor& factor) {
-  TriangleMesh mesh = test::torus(AROUND, ACROSS, 1, 0.35);
+TriangleMesh tube(const Factor& factor, int around = AROUND, int across = ACROSS) {
+  TriangleMesh mesh = test::torus(around, across, 1, 0.35);
   for (auto vertex : mesh.vertices.rowwise()) {
     const double angle = std::atan2(vertex.y(), vertex.x());
     const Eigen::RowVector3d middle(std::cos(angle), std::sin(angle), 0);
@@ -48,6 +52,14 @@ double lengthOf(const TriangleMesh& mesh, const std::vector<int>& ring) {
   return sum;
 }
 
+using Seam = std::vector<std::pair<int, int>>;
+
+std::vector<int> verticesOf(const Seam& seam) {
+  std::set<int> vertices;
+  for (const auto& [a, b] : seam) vertices.insert({a, b});
+  return {vertices.begin(), vertices.end()};
+}
+
 int handlesWithout(const TriangleMesh& mesh, const std::vector<int>& vertices) {
   Faces left(mesh.faces.rows(), 3);
   int count = 0;
@@ -62,7 +74,7 @@ TEST(ContactSeam, IsInTheFoldNotWhereTheTubeIsNarrowest) {
   const TriangleMesh mesh = tube(armAndFold);
   const std::vector<int> narrowest = ringAt(AROUND / 2);
   ASSERT_LT(lengthOf(mesh, narrowest), 0.8 * lengthOf(mesh, ringAt(0)));
-  const std::vector<int> seam = contactSeam(mesh, narrowest);
+  const std::vector<int> seam = verticesOf(contactSeam(mesh, narrowest));
   for (int v : seam) {
     const int steps = v / ACROSS;
     EXPECT_LE(std::min(steps, AROUND - steps), 2);
@@ -73,23 +85,18 @@ TEST(ContactSeam, IsInTheFoldNotWhereTheTubeIsNarrowest) {
 
 TEST(ContactSeam, IsTheSameFromWhereverTheRingIs) {
   const TriangleMesh mesh = tube(armAndFold);
-  const auto sorted = [](std::vector<int> vertices) {
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    return vertices;
-  };
-  const std::vector<int> seam = sorted(contactSeam(mesh, ringAt(AROUND / 2)));
-  EXPECT_EQ(sorted(contactSeam(mesh, ringAt(AROUND / 4))), seam);
+  const std::vector<int> seam = verticesOf(contactSeam(mesh, ringAt(AROUND / 2)));
+  EXPECT_EQ(verticesOf(contactSeam(mesh, ringAt(AROUND / 4))), seam);
   std::vector<int> other_way = ringAt(AROUND / 3);
   std::reverse(other_way.begin(), other_way.end());
-  EXPECT_EQ(sorted(contactSeam(mesh, other_way)), seam);
+  EXPECT_EQ(verticesOf(contactSeam(mesh, other_way)), seam);
 }
 
 TEST(ContactSeam, IsTheRingWhereNoPathIsCheaper) {
   // The tube is narrowest and folds inwards at 0.
   const TriangleMesh mesh = tube([](double angle) { return 0.4 + std::abs(angle) / PI; });
   const std::vector<int> ring = ringAt(0);
-  EXPECT_EQ(contactSeam(mesh, ring), ring);
+  EXPECT_EQ(verticesOf(contactSeam(mesh, ring)), ring);
 }
 
 TEST(ContactSeam, DoesNotCountWaysThereAndBack) {
@@ -97,14 +104,14 @@ TEST(ContactSeam, DoesNotCountWaysThereAndBack) {
   const std::vector<int> ring = ringAt(AROUND / 2);
   std::vector<int> with_spur = ring;
   const int off = ring.front() + ACROSS;
-  with_spur.insert(with_spur.begin() + 1, {off, ring.front()});
+  with_spur.insert(with_spur.begin() + 1, {off, off, ring.front()});
   EXPECT_EQ(contactSeam(mesh, with_spur), contactSeam(mesh, ring));
 }
 
 TEST(ContactSeam, PassesAHoleInTheFold) {
   // Of the fold half was not seen: it still opens the handle, with fewer vertices.
   TriangleMesh mesh = tube(armAndFold);
-  const int whole = static_cast<int>(contactSeam(mesh, ringAt(AROUND / 2)).size());
+  const std::size_t whole = contactSeam(mesh, ringAt(AROUND / 2)).size();
   Faces left(mesh.faces.rows(), 3);
   int count = 0;
   for (const auto& face : mesh.faces.rowwise()) {
@@ -113,9 +120,27 @@ TEST(ContactSeam, PassesAHoleInTheFold) {
       left.row(count++) = face;
   }
   mesh.faces = left.topRows(count);
-  const std::vector<int> seam = contactSeam(mesh, ringAt(AROUND / 2));
-  EXPECT_LT(static_cast<int>(seam.size()), 0.7 * whole);
-  EXPECT_EQ(handlesWithout(mesh, seam), 0);
+  const Seam seam = contactSeam(mesh, ringAt(AROUND / 2));
+  EXPECT_LT(seam.size(), 0.7 * whole);
+  EXPECT_EQ(handlesWithout(mesh, verticesOf(seam)), 0);
+}
+
+TEST(PartedSurface, isCutInARoundedFoldHoweverFineTheMesh) {
+  // A fold as wide as 0.2 radians around, and a narrower arm.
+  const auto rounded = [](double angle) {
+    const double along = std::abs(angle), round = std::sqrt(along * along + 0.01);
+    return std::min(1 - 0.65 * std::pow(along / PI, 2), 0.35 + 2.5 * round);
+  };
+  for (int times : {1, 5}) {
+    const TriangleMesh mesh = tube(rounded, times * AROUND, times * ACROSS);
+    const PartedSurface parted = partedSurface(mesh, cleanMesh(mesh));
+    EXPECT_EQ(parted.contacts, 1) << times;
+    for (int f = 0; f < mesh.faces.rows(); ++f)
+      if (parted.gone[f] != 0) {
+        const auto vertex = mesh.vertices.row(mesh.faces(f, 0));
+        ASSERT_LT(std::abs(std::atan2(vertex.y(), vertex.x())), 0.3) << times;
+      }
+  }
 }
 
 }  // namespace

@@ -45,19 +45,20 @@ std::vector<Between> edgesBetween(const TriangleMesh& mesh) {
   return edges;
 }
 
-/// The steps of a closed path; there and back again is none.
+/// The steps of a closed path. There and back again is none, nor is staying.
 std::set<std::pair<int, int>> stepsAlong(const std::vector<int>& ring) {
   std::set<std::pair<int, int>> steps;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const int from = ring[i], to = ring[(i + 1) % ring.size()];
-    if (steps.erase({to, from}) == 0) steps.insert({from, to});
+    if (from != to && steps.erase({to, from}) == 0) steps.insert({from, to});
   }
   return steps;
 }
 
 }  // namespace
 
-std::vector<int> contactSeam(const TriangleMesh& surface, const std::vector<int>& ring) {
+std::vector<std::pair<int, int>> contactSeam(const TriangleMesh& surface,
+                                             const std::vector<int>& ring) {
   constexpr double ANY = std::numeric_limits<float>::max();
   const std::set<std::pair<int, int>> steps = stepsAlong(ring);
   const std::vector<Between> edges = edgesBetween(surface);
@@ -77,15 +78,16 @@ std::vector<int> contactSeam(const TriangleMesh& surface, const std::vector<int>
     cut.joinSink(left ? edge.beyond : edge.face, ANY);
   }
   const std::vector<char> beyond = cut.onSinkSide();
-  std::vector<int> seam;
+  std::vector<std::pair<int, int>> seam;
   double of_seam = 0;
   for (const Between& edge : edges) {
     if (beyond[edge.face] == beyond[edge.beyond]) continue;
     if (isAlong(edge.a, edge.b) || isAlong(edge.b, edge.a)) continue;
     of_seam += edge.cost;
-    seam.insert(seam.end(), {edge.a, edge.b});
+    seam.emplace_back(edge.a, edge.b);
   }
-  return seam.empty() || of_seam >= of_ring ? ring : seam;
+  if (seam.empty() || of_seam >= of_ring) return {steps.begin(), steps.end()};
+  return seam;
 }
 
 }  // namespace posture

@@ -27,6 +27,10 @@ namespace {
 /// shortest loops go around every handle.
 constexpr int VERTICES = 5000, STARTS = 20;
 
+/// On so many vertices at most folds are looked for: what scanning joined folds within two spacings
+/// of a scan, and less and less sharply within those of a finer mesh.
+constexpr int SEAM_VERTICES = 25000;
+
 /// A handle matters when the way around it is long, in square roots of the area: several spacings
 /// of the samples whose distances are compared.
 constexpr double LEAST_DETOUR = 0.25;
@@ -186,6 +190,42 @@ std::vector<int> weldedContacts(const TriangleMesh& mesh, int& contacts) {
   return welded;
 }
 
+/// The vertices on the shortest ways of some steps, one after the other, with both ends of each.
+std::vector<int> onTheWay(const TriangleMesh& mesh, const std::vector<std::pair<int, int>>& steps) {
+  const EdgePaths paths(mesh);
+  std::vector<int> along;
+  for (const auto& [from, to] : steps) {
+    const std::vector<int> path = paths.shortest(from, to);
+    along.insert(along.end(), path.begin(), path.end());
+  }
+  return along;
+}
+
+/// Vertices along the contact that opens a handle with a long way around; none: there is no such
+/// handle.
+std::vector<int> alongContact(const TriangleMesh& surface) {
+  std::optional<ReducedMesh> less;
+  if (surface.vertices.rows() > SEAM_VERTICES) less = reduceMesh(surface, SEAM_VERTICES);
+  const TriangleMesh& fine = less ? less->mesh : surface;
+  const ReducedMesh reduced = reduceMesh(fine, VERTICES);
+  const ManifoldMesh manifold = cutNonManifold(reduced.mesh);
+  const std::optional<Ring> ring = contactRing(manifold.mesh);
+  if (!ring) return {};
+  std::vector<std::pair<int, int>> steps;
+  const auto place = [&](std::size_t i) {
+    return reduced.vertex[manifold.original_vertex[ring->vertices[i % ring->vertices.size()]]];
+  };
+  for (std::size_t i = 0; i < ring->vertices.size(); ++i)
+    steps.emplace_back(place(i), place(i + 1));
+  std::vector<std::pair<int, int>> seam = contactSeam(fine, onTheWay(fine, steps));
+  if (less)
+    for (auto& [from, to] : seam) {
+      from = less->vertex[from];
+      to = less->vertex[to];
+    }
+  return onTheWay(surface, seam);
+}
+
 }  // namespace
 
 PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean) {
@@ -196,20 +236,8 @@ PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean) {
   for (int rings = 0; rings < MOST_RINGS; ++rings) {
     const TriangleMesh& surface = cut.clean().mesh;
     if (Handles(cutNonManifold(surface).mesh).count() == 0) break;
-    const ReducedMesh reduced = reduceMesh(surface, VERTICES);
-    const ManifoldMesh manifold = cutNonManifold(reduced.mesh);
-    const std::optional<Ring> ring = contactRing(manifold.mesh);
-    if (!ring) break;
-    const EdgePaths paths(surface);
-    std::vector<int> along;
-    const auto place = [&](std::size_t i) {
-      return reduced.vertex[manifold.original_vertex[ring->vertices[i % ring->vertices.size()]]];
-    };
-    for (std::size_t i = 0; i < ring->vertices.size(); ++i) {
-      const std::vector<int> path = paths.shortest(place(i), place(i + 1));
-      along.insert(along.end(), path.begin(), path.end() - 1);
-    }
-    if (!cut.cutOut(contactSeam(surface, along))) break;
+    const std::vector<int> along = alongContact(surface);
+    if (along.empty() || !cut.cutOut(along)) break;
     ++contacts;
   }
   return {cut.clean(), contacts, cut.gone()};

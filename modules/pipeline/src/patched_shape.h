@@ -9,7 +9,7 @@ namespace posture {
 
 /// A side with surface put in where it was not seen: distances and spectra are then those of the
 /// body, not of what was seen of it. The vertices and faces of the input come first, those of the
-/// patches follow.
+/// patches follow; a face cut out at a contact has its first corner three times.
 struct PatchedShape {
   TriangleMesh input;
   CleanMesh clean;

@@ -71,8 +71,8 @@ RegistrationResult bestOfBoth(Attempt as_given,
   return withMapOf(std::move(other.found), std::move(*map));
 }
 
-/// Registers the shapes as they are and, where there are holes to speak of, first with those closed
-/// that may be.
+/// Registers the shapes as they are and, where there are holes to speak of, first parted and with
+/// those closed that may be.
 RegistrationResult registerPatched(const GivenShape& source,
                                    const GivenShape& target,
                                    const RegistrationOptions& options,

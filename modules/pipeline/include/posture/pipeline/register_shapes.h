@@ -87,7 +87,9 @@ struct ShapeSummary {
   CleaningSummary cleaning;
   int clean_vertices = 0;
   int boundary_edges = 0;
-  int patched_holes = 0;    ///< closed while maps were sought: the surface goes on across them
+  /// Closed while maps were sought, as the surface goes on across them; those cut along contacts
+  /// too.
+  int patched_holes = 0;
   int joined_pieces = 0;    ///< across narrow gaps, to the main surface
   int parted_contacts = 0;  ///< where it was taken for grown together with itself, and cut open
   int added_vertices = 0;   ///< on long edges while maps were sought: the other side is much finer
