@@ -15,7 +15,7 @@ namespace posture {
 namespace {
 
 /// Radians by which a surface folds inwards from one side of an edge to the other that make a path
-/// along it e times cheaper. Folds of scanned contacts have 0.5 to 1.5, noise 0.1 either way.
+/// along it e times cheaper. Contacts of scans then cost 0.01 to 0.45 of the narrowest ring.
 constexpr double CLEAR_FOLD = 0.35;
 
 /// An edge between two faces, as the first of them runs along it.
