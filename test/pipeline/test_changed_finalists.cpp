@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "changed_finalists.h"
 #include "refine/club.h"
-#include "refined_shape.h"
+#include "refined/finalists/changed_finalists.h"
+#include "refined/work/refined_shape.h"
 #include "support/shapes.h"
 #include "support/unit_area.h"
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "clean_sides.h"
+#include "sides/clean_sides.h"
 #include "support/files.h"
 #include "support/shapes.h"
 #include <string>

@@ -5,7 +5,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "coarse_map.h"
+#include "refined/work/coarse_map.h"
+#include "sides/given_shape.h"
+#include "sides/pose.h"
 #include "support/bodies.h"
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "contact_seam.h"
-#include "contacts.h"
+#include "sides/contact_seam.h"
+#include "sides/contacts.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contacts.h"
+#include "sides/contacts.h"
 #include "support/bodies.h"
 #include "support/cpu_seconds.h"
 #include "support/shapes.h"

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "cut_surface.h"
+#include "sides/cut_surface.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <utility>

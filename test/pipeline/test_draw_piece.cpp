@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
+#include <posture/mesh/rigid_motion.h>
 
 #include <gtest/gtest.h>
 
-#include "draw_piece.h"
+#include "refined/completion/draw_piece.h"
+#include "refined/completion/target_part.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "end_maps.h"
 #include "refine/club.h"
+#include "refined/finalists/end_maps.h"
 #include "support/shapes.h"
 #include "support/unit_area.h"
 #include <algorithm>

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "finalists.h"
 #include "refine/club.h"
+#include "refined/finalists/finalists.h"
 #include <vector>
 
 namespace posture {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "full_resolution.h"
+#include "refined/refinement/full_resolution.h"
 #include "support/bodies.h"
 #include <cmath>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "left_out_parts.h"
+#include "answer/verdict.h"
+#include "sides/left_out_parts.h"
 #include "support/shapes.h"
-#include "verdict.h"
 #include <vector>
 
 namespace posture {

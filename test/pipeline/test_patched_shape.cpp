@@ -9,7 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "patched_shape.h"
+#include "attempts/leave_out_patches.h"
+#include "sides/given_shape.h"
+#include "sides/patched_shape.h"
 #include "support/bodies.h"
 #include "support/shapes.h"
 #include <algorithm>

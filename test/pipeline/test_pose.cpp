@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pose.h"
+#include "sides/pose.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <array>

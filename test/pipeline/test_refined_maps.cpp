@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "refine/club.h"
-#include "refined_maps.h"
+#include "refined/refinement/refined_maps.h"
 #include "support/shapes.h"
 #include "support/unit_area.h"
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "scan_side.h"
+#include "sides/scan_side.h"
 #include "support/shapes.h"
 #include <limits>
 #include <optional>

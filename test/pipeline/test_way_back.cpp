@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include <gtest/gtest.h>
 
+#include "refined/completion/way_back.h"
+#include "sides/given_shape.h"
 #include "support/shapes.h"
-#include "way_back.h"
 #include <cmath>
 #include <vector>
 

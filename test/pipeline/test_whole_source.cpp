@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "refined/completion/whole_source.h"
 #include "support/bodies.h"
-#include "whole_source.h"
 
 namespace posture {
 namespace {

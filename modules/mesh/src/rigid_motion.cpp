@@ -16,4 +16,8 @@ Eigen::Isometry3d rigidMotion(const Points& from, const Points& to) {
   return motion;
 }
 
+Points moved(const Eigen::Isometry3d& motion, const Points& points) {
+  return (points * motion.linear().transpose()).rowwise() + motion.translation().transpose();
+}
+
 }  // namespace posture

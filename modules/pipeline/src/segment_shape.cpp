@@ -3,7 +3,7 @@
 #include <posture/core/error.h>
 #include <posture/pipeline/segment_shape.h>
 
-#include "leave_out_background.h"
+#include "sides/leave_out_background.h"
 #include <cmath>
 
 namespace posture {

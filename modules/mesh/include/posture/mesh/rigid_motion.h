@@ -13,4 +13,7 @@ namespace posture {
 /// \pre  as many of the one as of the other.
 Eigen::Isometry3d rigidMotion(const Points& from, const Points& to);
 
+/// Points after a motion.
+Points moved(const Eigen::Isometry3d& motion, const Points& points);
+
 }  // namespace posture

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/pipeline/register_shapes.h>
+
+#include <string>
+
+namespace posture {
+
+/// How many of the source's vertices, or points that are there, have a counterpart, in words.
+std::string mappedMessage(const RegistrationResult& result);
+
+/// What of the sides was left out that is as large as a body, in words that end a message; empty:
+/// nothing was.
+std::string leftOutMessage(const RegistrationResult& result);
+
+/// Sets status and message from the chosen hypothesis: two bodies are called the same one when
+/// distances on them agree under it.
+void givePublishedVerdict(RegistrationResult& result);
+
+/// How likely another answer is beside the chosen one, by its margin; at most 1.
+double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& other);
+
+/// So much trust is all but certain: what would only look for another answer is left out.
+constexpr double ALL_BUT_CERTAIN = 0.9;
+
+/// The score of a map where same and different bodies are equally likely:
+/// docs/decisions/trust.md has the measurements.
+constexpr double EVEN_SCORE = -8.7;
+
+/// What a map pays for the share of its hands that are on the other side, one more counted as
+/// right: 3.5 where one tells, 5.6 where four do, so that a half-turned body, which scores -10.4 to
+/// -14, is not believed; 1.4 for one against three. It comes to half or more where most of them
+/// are: the body is turned then, and not a limb laid on the other one.
+constexpr double COST_OF_HANDS = 7;
+
+/// On coarse meshes the right answer may be worse by so much.
+constexpr double DECISIVE = 1;
+
+/// How far the score of a map and its margin before the next different one speak for it, in [0, 1].
+double trustIn(double score, double margin);
+double trustIn(const RegistrationResult& result);
+
+/// Whether a map scores as those between poses of one body do.
+bool convinces(double score);
+
+/// Whether one of two maps between coarse meshes scores so much better that the other one, refined,
+/// will hardly be the right one. Letting go of parts can make up for more.
+bool isDecisive(double better, double worse);
+
+/// Whether a map between coarse meshes may convince when it is changed or refined.
+bool mayConvince(double score);
+
+/// Whether the final map scores as those between poses of one body do.
+bool looksAlike(const RegistrationResult& result);
+
+/// Whether the trust is enough to say that the answer is the right one.
+bool isDecided(const RegistrationResult& result);
+
+/// Changes the trust, and the confidences of all maps with it.
+void setTrust(double trust, RegistrationResult& result);
+
+/// Takes another answer in among the alternatives, and the trust that costs.
+/// \param rival_trust  that in which its confidences are.
+void addRival(AlternativeSummary rival, double rival_trust, RegistrationResult& result);
+
+/// Sets status and message from the trust.
+void giveVerdict(RegistrationResult& result);
+
+/// For when every candidate turns the surface inside out or tears it.
+/// \param source  its vertices as they came, without counterparts then.
+void giveVerdictWithoutFinalist(const Points& source, RegistrationResult& result);
+
+}  // namespace posture

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "attempts/whole_attempt.h"
+
+#include <posture/refine/map_score.h>
+
+#include "answer/shared_verdict.h"
+#include "answer/verdict.h"
+#include "refined/refined_method.h"
+#include <stdexcept>
+#include <utility>
+
+namespace posture {
+namespace {
+
+/// Of a surface that closes hands are not looked at, of the same one cut open they are.
+double scoreApartFromHands(const Attempt& attempt) {
+  return attempt.found.score - attempt.found.hands;
+}
+
+GivenShape cutOpen(const GivenShape& shape, const PartedSurface& parted) {
+  return {shape.input, parted.clean, shape.patch_vertices};
+}
+
+/// An attempt at surfaces that are cut open, with the summaries of all of them.
+Attempt ofParted(Attempt attempt,
+                 const GivenShape& source,
+                 const GivenShape& target,
+                 const PartedSides& parted) {
+  return withChange(std::move(attempt),
+                    [of_source = summarize(source),
+                     of_target = summarize(target),
+                     a = parted.source.contacts,
+                     b = parted.target.contacts](RegistrationResult& result) {
+                      result.source = withMeasured(of_source, result.source);
+                      result.target = withMeasured(of_target, result.target);
+                      result.source.parted_contacts = a;
+                      result.target.parted_contacts = b;
+                    });
+}
+
+}  // namespace
+
+std::optional<Attempt> wholeAttempt(const GivenShape& source,
+                                    const GivenShape& target,
+                                    const PartedSides& parted,
+                                    const RegistrationOptions& options,
+                                    const RegistrationResult* known,
+                                    StageClock& clock) {
+  const bool any = parted.any();
+  const double portion = clock.label().portion;
+  const BegunAttempt whole = clock.within({"", any ? portion / 2 : portion}, [&] {
+    return beginAttempt(source, target, options, clock);
+  });
+  if (!any) return whole.goOn(known, true);
+  const std::optional<BegunAttempt> cut = clock.tryAttempt("parted", portion / 2, [&] {
+    return beginAttempt(
+        cutOpen(source, parted.source), cutOpen(target, parted.target), options, clock);
+  });
+  if (!cut) return whole.goOn(known, false);
+  std::optional<Attempt> as_given, other;
+  bool is_whole_left = true;  // not gone on with
+  const auto isConvincing = [](const std::optional<Attempt>& attempt) {
+    return attempt && looksAlike(attempt->found);
+  };
+  const auto goOnAsGiven = [&] {
+    is_whole_left = false;
+    as_given = clock.tryTo([&] { return *whole.goOn(known, false); });
+  };
+  const bool as_given_first = isDecisive(whole.score, cut->score);
+  if (as_given_first) goOnAsGiven();
+  if (!isConvincing(as_given)) other = clock.tryTo([&] { return *cut->goOn(known, false); });
+  if (other && other->found.chosen < 0) other.reset();  // it has no map
+  if (!as_given_first && !(isConvincing(other) && isDecisive(cut->score, whole.score)))
+    goOnAsGiven();
+  if (!as_given && !other) throw std::runtime_error("neither surface can be bent onto the other");
+  if (as_given &&
+      (!other || (as_given->found.chosen >= 0 &&
+                  scoreApartFromHands(*other) > scoreApartFromHands(*as_given) - SCORE_NOISE)))
+    return as_given;
+  Attempt taken = ofParted(std::move(*other), source, target, parted);
+  taken.finish = [finish = std::move(taken.finish),
+                  whole,
+                  is_whole_left,
+                  as_given = std::move(as_given),
+                  &clock] {
+    if (!as_given && !is_whole_left) return finish();
+    std::optional<RegistrationResult> result = clock.tryTo(finish);
+    return result ? std::move(*result)
+                  : finished(as_given ? *as_given : *whole.goOn(nullptr, false));
+  };
+  return taken;
+}
+
+}  // namespace posture

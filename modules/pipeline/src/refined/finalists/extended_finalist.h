@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/pipeline/register_shapes.h>
+
+#include "refined/finalists/find_finalists.h"
+
+namespace posture {
+
+/// An answer, in the numbering of both inputs, as a map between the coarse surfaces, extended
+/// (extendMap()) over what of both then lies on each other.
+/// \param known  finished: the source is deformed.
+/// \throws std::runtime_error  it maps nothing of the coarse surfaces, or turns one inside out; one
+/// is too torn to be bent
+Finalist extendedFinalist(const CoarseSides& sides, const RegistrationResult& known);
+
+}  // namespace posture

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/pipeline/register_shapes.h>
+
+#include "refined/finalists/finalists.h"
+#include "refined/work/posed_side.h"
+#include "stage_clock.h"
+#include <optional>
+#include <vector>
+
+namespace posture {
+
+/// What the stages before refinement work on: two sides at one scale and their coarse surfaces.
+struct CoarseSides {
+  const PosedSide &source_side, &target_side;
+  const SpectralSurface &source, &target;
+};
+
+/// The bending stage: maps between the coarse surfaces that keep the outside out, by increasing
+/// score.
+/// \param pool  sample maps, by increasing distortion.
+/// \throws std::runtime_error  a surface cannot be bent (Arap)
+std::vector<Finalist> bentFinalists(const CoarseSides& sides,
+                                    const std::vector<SampleMap>& pool,
+                                    StageClock& clock);
+
+/// An answer found otherwise.
+struct KnownAnswer {
+  const RegistrationResult* result = nullptr;  ///< in the numbering of both inputs; null: none
+  bool may_stop = false;  ///< whether to end as soon as it is confirmed and stands (knownStands())
+};
+
+/// The stages from tips to laying over: what else is found where the bent maps do not tell.
+/// \param finalists  bentFinalists().
+/// \param may_lack  whether a side may lack a part that the other one has.
+/// \return  maps between the coarse surfaces, by increasing score; none: the known answer stands
+///
+/// \throws std::runtime_error  a surface cannot be bent (Arap)
+std::optional<std::vector<Finalist>> findFinalists(const CoarseSides& sides,
+                                                   std::vector<Finalist> finalists,
+                                                   bool may_lack,
+                                                   const KnownAnswer& known,
+                                                   StageClock& clock);
+
+}  // namespace posture

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sides/clean_sides.h"
+
+#include <posture/core/error.h>
+#include <posture/mesh/denoise.h>
+
+#include <stdexcept>
+
+namespace posture {
+namespace {
+
+CleanMesh cleanSide(const std::string& side, SideSurface& surface) {
+  try {
+    if (!surface.scan) surface.denoising = denoise(surface.mesh);
+    surface.background = leaveOutBackground(surface.mesh);
+    CleanMesh clean = cleanMesh(surface.mesh);
+    clean.summary.degenerate_faces -= surface.background.faces;
+    return clean;
+  } catch (const InputError& error) {
+    throw InputError(side + " " + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(side + " " + error.what());
+  }
+}
+
+void goBy(const CleanMesh& other, CleanMesh& clean) {
+  if (!clean.outward_known && other.outward_known && other.inside_out) turnOver(clean);
+}
+
+}  // namespace
+
+CleanSides cleanSides(SideSurface& source, SideSurface& target) {
+  CleanSides clean{cleanSide("source", source), cleanSide("target", target)};
+  if (source.scan || target.scan) return clean;
+  goBy(clean.target, clean.source);
+  goBy(clean.source, clean.target);
+  return clean;
+}
+
+std::vector<StagePicture> cleaningPictures(const CleanMesh& source, const CleanMesh& target) {
+  return {{"source-main-surface", source.mesh, source.mesh.vertices, {}},
+          {"target-main-surface", target.mesh, target.mesh.vertices, {}}};
+}
+
+}  // namespace posture

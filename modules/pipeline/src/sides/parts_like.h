@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/mesh/clean_mesh.h>
+
+#include "sides/given_shape.h"
+#include <vector>
+
+namespace posture {
+
+/// Whether something was cut off a surface, or not seen of it: its rim is longer than that of holes
+/// no matter what lies beyond them.
+bool mayBePiece(const CleanMesh& surface);
+
+/// The parts of a whole, cut out of it, that a piece of another pose may be; the likeliest first,
+/// at most `most`. Parts that are nearly all of the whole are left out: it can be compared as it
+/// is.
+std::vector<CleanMesh> partsLike(const CleanMesh& piece, const GivenShape& whole, int most);
+
+}  // namespace posture
