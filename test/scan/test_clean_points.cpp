@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "clean_points.h"
-#include "cleanness.h"
+#include "clean/clean_points.h"
+#include "clean/cleanness.h"
 #include "scan_shapes.h"
 #include <algorithm>
 #include <cmath>

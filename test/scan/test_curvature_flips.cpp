@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "curvature_flips.h"
+#include "clean/curvature_flips.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <cmath>

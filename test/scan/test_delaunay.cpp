@@ -4,8 +4,8 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "delaunay.h"
-#include "predicates.h"
+#include "clean/delaunay.h"
+#include "clean/predicates.h"
 #include "scan_shapes.h"
 #include <algorithm>
 #include <set>

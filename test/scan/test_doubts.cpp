@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "doubts.h"
 #include "support/shapes.h"
+#include "surface/doubts.h"
 #include <algorithm>
 #include <cmath>
 

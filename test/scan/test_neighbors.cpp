@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "neighbors.h"
+#include "points/neighbors.h"
+#include "points/spacing.h"
 #include "scan_shapes.h"
-#include "spacing.h"
 #include "support/shapes.h"
 #include <algorithm>
 

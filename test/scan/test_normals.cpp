@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "normals.h"
+#include "noisy/normals.h"
 #include "scan_shapes.h"
 
 namespace posture {

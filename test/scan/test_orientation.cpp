@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "orientation.h"
+#include "points/orientation.h"
 #include "scan_shapes.h"
 
 namespace posture {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "outliers.h"
+#include "points/outliers.h"
 #include "scan_shapes.h"
 #include "support/shapes.h"
 #include <numeric>

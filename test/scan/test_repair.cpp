@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "repair.h"
 #include "support/shapes.h"
+#include "surface/repair.h"
 
 namespace posture {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "resampling.h"
+#include "noisy/resampling.h"
 #include "scan_shapes.h"
 
 namespace posture {

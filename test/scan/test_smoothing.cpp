@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "noisy/smoothing.h"
 #include "scan_shapes.h"
-#include "smoothing.h"
 
 namespace posture {
 namespace {

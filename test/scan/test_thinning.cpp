@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "noisy/thinning.h"
 #include "scan_shapes.h"
 #include "support/shapes.h"
-#include "thinning.h"
 
 namespace posture {
 namespace {

@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "agreement.h"
+#include "noisy/agreement.h"
+#include "noisy/tangent_delaunay.h"
 #include "scan_shapes.h"
-#include "tangent_delaunay.h"
 #include <algorithm>
 #include <set>
 

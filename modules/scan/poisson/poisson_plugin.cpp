@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../src/poisson_plugin.h"
+#include "pcl/poisson_plugin.h"
 
 #include <pcl/pcl_base.h>
 #include <pcl/surface/reconstruction.h>
 
-#include "../src/pcl_cloud.h"
+#include "pcl/pcl_cloud.h"
 #include <cstdio>
 #include <iostream>
 #include <omp.h>

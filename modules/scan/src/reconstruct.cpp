@@ -4,12 +4,12 @@
 #include <posture/core/parallel.h>
 #include <posture/scan/reconstruct.h>
 
-#include "back_end.h"
-#include "clean_points.h"
-#include "distinct_points.h"
-#include "front_end.h"
-#include "outside_hints.h"
-#include "place_on_mesh.h"
+#include "clean/clean_points.h"
+#include "noisy/back_end.h"
+#include "noisy/front_end.h"
+#include "points/distinct_points.h"
+#include "points/outside_hints.h"
+#include "surface/mesh_locator.h"
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "points/neighbors.h"
+#include "points/spacing.h"
+#include <vector>
+
+namespace posture {
+
+/// Where directions that tell the outside come from.
+enum class HintSource {
+  NONE,
+  NORMALS,  ///< given with the points: of either sign, or of no sign at all
+  GRID,     ///< the depth image, as it is seen: noisy, the side is certain
+  SENSOR,   ///< exact: the way from the points to the scanner
+};
+
+struct OutsideHints {
+  Points directions;  ///< n x 3: unit vectors that point outwards, zero where unknown; or 0 x 3
+  HintSource source = HintSource::NONE;
+};
+
+/// What they tell of some of the points.
+OutsideHints rowsOf(const OutsideHints& hints, const std::vector<int>& rows);
+
+struct OrientationSummary {
+  bool by_sensor = false;
+  bool by_normals = false;
+};
+
+/// Gives normals the signs that make neighbours agree (Hoppe et al. 1992: along a minimum spanning
+/// tree), and each connected part of the points its outside.
+OrientationSummary orientNormals(const Points& points,
+                                 const NeighborTable& neighbors,
+                                 const Spacing& spacing,
+                                 const OutsideHints& hints,
+                                 Points& normals);
+
+/// Whether the normals of some points, consistent among themselves, have to be turned round.
+bool looksInward(const Points& points,
+                 const Points& normals,
+                 const std::vector<int>& part,
+                 const Spacing& spacing,
+                 const OutsideHints& hints,
+                 OrientationSummary& summary);
+
+}  // namespace posture

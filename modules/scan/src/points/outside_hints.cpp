@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "points/outside_hints.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace posture {
+namespace {
+
+Eigen::RowVector3d unitOrZero(const Eigen::RowVector3d& v) {
+  const double length = v.stableNorm();
+  return length > 0 && std::isfinite(length) ? Eigen::RowVector3d(v / length)
+                                             : Eigen::RowVector3d(0, 0, 0);
+}
+
+/// Difference of two cells of the grid, of which `cell` itself may be one; zero at missing points.
+Eigen::RowVector3d difference(const Points& points, int before, int cell, int after) {
+  const auto seen = [&](int c) { return c >= 0 && points.row(c).allFinite(); };
+  const int from = seen(before) ? before : cell, to = seen(after) ? after : cell;
+  return points.row(to) - points.row(from);
+}
+
+/// Towards the eye: columns run right and rows down, so that right x down looks away from it.
+Eigen::RowVector3d towardsEye(const PointCloud& cloud, int cell) {
+  const int n = static_cast<int>(cloud.points.rows()), width = cloud.width;
+  const int column = cell % width;
+  const Eigen::RowVector3d right = difference(cloud.points,
+                                              column > 0 ? cell - 1 : -1,
+                                              cell,
+                                              column + 1 < width && cell + 1 < n ? cell + 1 : -1);
+  const Eigen::RowVector3d down =
+      difference(cloud.points, cell - width, cell, cell + width < n ? cell + width : -1);
+  return unitOrZero(unitOrZero(down).cross(unitOrZero(right)));
+}
+
+/// Whether a place is in the middle of some points. There no scanner stood: points that were moved
+/// often keep the place they had, or the origin.
+bool isAmong(const Eigen::Vector3d& place, const Points& points, const std::vector<int>& rows) {
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  for (const int row : rows) sum += unitOrZero(points.row(row) - place.transpose());
+  // The mean direction of what fills less than half of all is longer.
+  constexpr double HALF_SPACE = 0.5;
+  return sum.norm() < HALF_SPACE * static_cast<double>(rows.size());
+}
+
+}  // namespace
+
+OutsideHints outsideHints(const PointCloud& cloud, const std::vector<int>& rows) {
+  OutsideHints hints;
+  if (cloud.sensor && cloud.sensor->allFinite() && !isAmong(*cloud.sensor, cloud.points, rows))
+    hints.source = HintSource::SENSOR;
+  else if (cloud.width > 1 && cloud.points.rows() > cloud.width)
+    hints.source = HintSource::GRID;
+  else if (cloud.normals.rows() > 0)
+    hints.source = HintSource::NORMALS;
+  else
+    return hints;
+  hints.directions.resize(static_cast<Eigen::Index>(rows.size()), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const int row = rows[i];
+    hints.directions.row(static_cast<Eigen::Index>(i)) =
+        hints.source == HintSource::SENSOR
+            ? unitOrZero(cloud.sensor->transpose() - cloud.points.row(row))
+        : hints.source == HintSource::GRID ? towardsEye(cloud, row)
+                                           : unitOrZero(cloud.normals.row(row));
+  }
+  return hints;
+}
+
+}  // namespace posture
