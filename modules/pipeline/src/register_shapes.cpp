@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/mesh/edges.h>
 #include <posture/pipeline/register_shapes.h>
 
 #include "answer/attempt.h"
@@ -17,6 +16,7 @@
 #include "sides/contacts.h"
 #include "sides/given_shape.h"
 #include "sides/left_out_parts.h"
+#include "sides/parts_like.h"
 #include "sides/patched_shape.h"
 #include "sides/scan_side.h"
 #include "stage_clock.h"
@@ -32,20 +32,10 @@ namespace {
 /// give so much more.
 constexpr double NEARLY_ALL = 0.9, CLEARLY_MORE = 0.05;
 
-/// More of a side's area in pieces is more than eyes and crumbs: a finger or a tail, and what is
-/// one with the main surface on the other side would be squeezed onto what is next to it.
-constexpr double A_LIMB = 0.02;
-
 /// Of the source's vertices, those with a counterpart.
 double mappedShare(const RegistrationResult& result) {
   return static_cast<double>(mappedCount(result.correspondence.on_target)) /
          static_cast<double>(result.correspondence.on_target.size());
-}
-
-/// Of a side's area, that of the pieces that are not joined to its main surface.
-double shareInPieces(const CleanMesh& clean) {
-  const double pieces = surfaceArea(clean.pieces);
-  return pieces / (pieces + surfaceArea(clean.mesh));
 }
 
 /// What is taken of the attempts with holes as they are and closed, whether they have one answer or
@@ -139,8 +129,8 @@ RegistrationResult registerMeshes(const GivenShape& source,
   RegistrationResult main = registerPatched(source, target, options, clock);
   const double mapped = mappedShare(main);
   std::optional<RegistrationResult> joined;
-  if (!looksAlike(main) || mapped < NEARLY_ALL ||
-      std::max(shareInPieces(source.clean), shareInPieces(target.clean)) > A_LIMB)
+  if (!looksAlike(main) || mapped < NEARLY_ALL || isInPieces(source.clean) ||
+      isInPieces(target.clean))
     joined = registerJoined(source, target, options, clock);
   const bool is_same = joined && isSameAnswer(main, *joined, target.input);
   if (is_same) payForHands(handsByBoth(*joined, main, target.input), *joined);

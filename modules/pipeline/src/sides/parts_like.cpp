@@ -70,7 +70,14 @@ double overlap(const std::vector<char>& a, const std::vector<char>& b) {
 
 }  // namespace
 
+bool isInPieces(const CleanMesh& surface) {
+  constexpr double A_LIMB = 0.02;  // of the area
+  const double pieces = surfaceArea(surface.pieces);
+  return pieces > A_LIMB * (pieces + surfaceArea(surface.mesh));
+}
+
 bool mayBePiece(const CleanMesh& surface) {
+  if (isInPieces(surface)) return true;
   double rim = 0;
   for (const Edge& e : meshEdges(surface.mesh.faces))
     if (e.faces == 1)
