@@ -78,6 +78,22 @@ TEST(Pieces, onlySurfacesWithALongRimMayBeSome) {
   EXPECT_FALSE(mayBePiece(cleanMesh(pinhole)));
 }
 
+TEST(Pieces, aSurfaceMayBeSomeWhereMoreThanCrumbsLieOffIt) {
+  const auto withPieceOf = [](double radius) {
+    TriangleMesh both = test::sphere(4);
+    const TriangleMesh piece = test::sphere(3);
+    const Eigen::Index n = both.vertices.rows(), m = both.faces.rows();
+    both.vertices.conservativeResize(n + piece.vertices.rows(), 3);
+    both.vertices.bottomRows(piece.vertices.rows()) =
+        (radius * piece.vertices).rowwise() + Eigen::RowVector3d(2, 0, 0);
+    both.faces.conservativeResize(m + piece.faces.rows(), 3);
+    both.faces.bottomRows(piece.faces.rows()) = piece.faces.array() + static_cast<int>(n);
+    return cleanMesh(both);
+  };
+  EXPECT_FALSE(mayBePiece(withPieceOf(0.1)));  // a hundredth of the area
+  EXPECT_TRUE(mayBePiece(withPieceOf(0.2)));
+}
+
 TEST(Pieces, oneOfThePartsHasAllThatThePieceHas) {
   const PieceAndWhole shapes;
   const CleanMesh whole = cleanMesh(shapes.whole);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/mesh/clean_mesh.h>
 #include <posture/mesh/edges.h>
+#include <posture/mesh/hole_patches.h>
 #include <posture/pipeline/register_shapes.h>
 
 #include <gtest/gtest.h>
@@ -160,6 +161,35 @@ TEST_F(SeveredArms, aHandThatTheTargetLacksHasNoCounterpart) {
   const Outcome hand = outcomeBeyond(result, source, 0.7 * reach(), 1);
   ASSERT_GT(hand.all, 30);
   EXPECT_LT(hand.mapped, 0.2 * hand.all);
+}
+
+/// Without a hole; the numbers of the vertices stay.
+TriangleMesh closed(TriangleMesh mesh) {
+  const HolePatches patches = patchHoles(mesh);
+  const Eigen::Index n = mesh.vertices.rows(), m = mesh.faces.rows();
+  mesh.vertices.conservativeResize(n + patches.vertices.rows(), 3);
+  mesh.vertices.bottomRows(patches.vertices.rows()) = patches.vertices;
+  mesh.faces.conservativeResize(m + patches.faces.rows(), 3);
+  mesh.faces.bottomRows(patches.faces.rows()) = patches.faces;
+  return mesh;
+}
+
+TEST_F(SeveredArms, anArmThatTheTargetLacksHasNoCounterpartThoughTheStumpIsClosed) {
+  const double cut = 0.35 * reach();
+  const Severed source(body_, 1e9, 1e9);
+  Severed target(other_, cut, 1e9);
+  target.mesh = closed(target.mesh);
+  const std::vector<Edge> edges = meshEdges(target.mesh.faces);
+  ASSERT_TRUE(
+      std::all_of(edges.begin(), edges.end(), [](const Edge& edge) { return edge.faces == 2; }));
+  const RegistrationResult result = registerShapes(source.mesh, target.mesh);
+  EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
+  const Outcome body = outcomeOf(result, source, target, false);
+  EXPECT_GT(body.mapped, 0.95 * body.all);
+  EXPECT_LT(body.error, 0.03);
+  const Outcome arm = outcomeBeyond(result, source, 0.5 * reach(), 1);
+  ASSERT_GT(arm.all, 60);
+  EXPECT_LT(arm.mapped, 0.2 * arm.all);
 }
 
 TEST_F(SeveredArms, anArmIsNotTakenForTheOtherOne) {
