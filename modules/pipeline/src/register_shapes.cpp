@@ -66,8 +66,8 @@ RegistrationResult bestOfBoth(Attempt as_given,
   return withMapOf(std::move(other.found), std::move(*map));
 }
 
-/// Registers the shapes as they are and, where there are holes to speak of, first parted and with
-/// those closed that may be.
+/// Registers the shapes as they are and, where there are holes to speak of, first with those closed
+/// that may be.
 RegistrationResult registerPatched(const GivenShape& source,
                                    const GivenShape& target,
                                    const RegistrationOptions& options,
@@ -77,17 +77,22 @@ RegistrationResult registerPatched(const GivenShape& source,
     return PartedSides{partedSurface(source.input, source.clean),
                        partedSurface(target.input, target.clean)};
   });
-  const auto [source_patched, target_patched] = clock.stage("holes", 0.01, [&] {
-    return std::pair(withPatches(source.input, parted.source),
-                     withPatches(target.input, parted.target));
+  const auto patched = [&](const auto& of_source, const auto& of_target) {
+    return PatchedSides{withPatches(source.input, of_source), withPatches(target.input, of_target)};
+  };
+  const auto [whole, cut] = clock.stage("holes", 0.01, [&] {
+    return std::pair(
+        patched(source.clean, target.clean),
+        parted.any() ? std::optional(patched(parted.source, parted.target)) : std::nullopt);
   });
-  const bool many = std::max(source_patched.rims, target_patched.rims) > MANY_RIMS;
+  const auto haveMany = [](const PatchedSides& sides) {
+    return std::max(sides.source.rims, sides.target.rims) > MANY_RIMS;
+  };
+  const bool many = haveMany(whole) || (cut && haveMany(*cut));
   std::optional<Attempt> closed;
   if (many)
-    closed = clock.tryAttempt("patched", 0.5, [&, &a = source_patched, &b = target_patched] {
-      return withChange(
-          refinedMethod(a.given(), b.given(), options, clock),
-          [&](RegistrationResult& result) { leaveOutPatches(source, a, target, b, result); });
+    closed = clock.tryAttempt("patched", 0.5, [&, &a = whole, &b = cut] {
+      return patchedAttempt(source, target, a, b, options, clock);
     });
   const auto asGiven = [&](double portion, const RegistrationResult* known) {
     return clock.within(

@@ -6,8 +6,11 @@
 
 #include "answer/shared_verdict.h"
 #include "answer/verdict.h"
+#include "attempts/leave_out_patches.h"
 #include "refined/refined_method.h"
+#include <functional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace posture {
@@ -22,24 +25,71 @@ GivenShape cutOpen(const GivenShape& shape, const PartedSurface& parted) {
   return {shape.input, parted.clean, shape.patch_vertices};
 }
 
-/// An attempt at surfaces that are cut open, with the summaries of all of them.
-Attempt ofParted(Attempt attempt,
-                 const GivenShape& source,
-                 const GivenShape& target,
-                 const PartedSides& parted) {
-  return withChange(std::move(attempt),
-                    [of_source = summarize(source),
-                     of_target = summarize(target),
-                     a = parted.source.contacts,
-                     b = parted.target.contacts](RegistrationResult& result) {
-                      result.source = withMeasured(of_source, result.source);
-                      result.target = withMeasured(of_target, result.target);
-                      result.source.parted_contacts = a;
-                      result.target.parted_contacts = b;
-                    });
+/// What makes the results of an attempt at surfaces that are cut open those of all of them.
+std::function<void(RegistrationResult&)> ofParted(const GivenShape& source,
+                                                  const GivenShape& target,
+                                                  const PartedSides& parted) {
+  return [of_source = summarize(source),
+          of_target = summarize(target),
+          a = parted.source.contacts,
+          b = parted.target.contacts](RegistrationResult& result) {
+    result.source = withMeasured(of_source, result.source);
+    result.target = withMeasured(of_target, result.target);
+    result.source.parted_contacts = a;
+    result.target.parted_contacts = b;
+  };
+}
+
+/// The attempt with what `change` makes of its results.
+BegunAttempt withChange(BegunAttempt begun,
+                        const std::function<void(RegistrationResult&)>& change) {
+  begun.goOn = [goOn = std::move(begun.goOn), change](const RegistrationResult* known,
+                                                      bool may_stop) {
+    std::optional<Attempt> attempt = goOn(known, may_stop);
+    return attempt ? std::optional(withChange(std::move(*attempt), change)) : std::nullopt;
+  };
+  return begun;
 }
 
 }  // namespace
+
+Attempt betterOf(const BegunAttempt& whole,
+                 const BegunAttempt& cut,
+                 const RegistrationResult* known,
+                 StageClock& clock) {
+  std::optional<Attempt> as_given, other;
+  bool is_whole_left = true;  // not gone on with
+  const auto isConvincing = [](const std::optional<Attempt>& attempt) {
+    return attempt && looksAlike(attempt->found);
+  };
+  const auto goOnAsGiven = [&] {
+    is_whole_left = false;
+    as_given = clock.tryTo([&] { return *whole.goOn(known, false); });
+  };
+  const bool as_given_first = isDecisive(whole.score, cut.score);
+  if (as_given_first) goOnAsGiven();
+  if (!isConvincing(as_given)) other = clock.tryTo([&] { return *cut.goOn(known, false); });
+  if (other && other->found.chosen < 0) other.reset();  // it has no map
+  if (!as_given_first && !(isConvincing(other) && isDecisive(cut.score, whole.score)))
+    goOnAsGiven();
+  if (!as_given && !other) throw std::runtime_error("neither surface can be bent onto the other");
+  if (as_given &&
+      (!other || (as_given->found.chosen >= 0 &&
+                  scoreApartFromHands(*other) > scoreApartFromHands(*as_given) - SCORE_NOISE)))
+    return std::move(*as_given);
+  Attempt taken = std::move(*other);
+  taken.finish = [finish = std::move(taken.finish),
+                  whole,
+                  is_whole_left,
+                  as_given = std::move(as_given),
+                  &clock] {
+    if (!as_given && !is_whole_left) return finish();
+    std::optional<RegistrationResult> result = clock.tryTo(finish);
+    return result ? std::move(*result)
+                  : finished(as_given ? *as_given : *whole.goOn(nullptr, false));
+  };
+  return taken;
+}
 
 std::optional<Attempt> wholeAttempt(const GivenShape& source,
                                     const GivenShape& target,
@@ -54,42 +104,35 @@ std::optional<Attempt> wholeAttempt(const GivenShape& source,
   });
   if (!any) return whole.goOn(known, true);
   const std::optional<BegunAttempt> cut = clock.tryAttempt("parted", portion / 2, [&] {
-    return beginAttempt(
-        cutOpen(source, parted.source), cutOpen(target, parted.target), options, clock);
+    return withChange(
+        beginAttempt(
+            cutOpen(source, parted.source), cutOpen(target, parted.target), options, clock),
+        ofParted(source, target, parted));
   });
-  if (!cut) return whole.goOn(known, false);
-  std::optional<Attempt> as_given, other;
-  bool is_whole_left = true;  // not gone on with
-  const auto isConvincing = [](const std::optional<Attempt>& attempt) {
-    return attempt && looksAlike(attempt->found);
+  return cut ? betterOf(whole, *cut, known, clock) : whole.goOn(known, false);
+}
+
+Attempt patchedAttempt(const GivenShape& source,
+                       const GivenShape& target,
+                       const PatchedSides& whole,
+                       const std::optional<PatchedSides>& cut,
+                       const RegistrationOptions& options,
+                       StageClock& clock) {
+  const double portion = clock.label().portion / (cut ? 2 : 1);
+  const auto begun = [&](const std::string& name, const PatchedSides& sides) {
+    return clock.tryAttempt(name, portion, [&] {
+      return withChange(beginAttempt(sides.source.given(), sides.target.given(), options, clock),
+                        [&](RegistrationResult& result) {
+                          leaveOutPatches(source, sides.source, target, sides.target, result);
+                        });
+    });
   };
-  const auto goOnAsGiven = [&] {
-    is_whole_left = false;
-    as_given = clock.tryTo([&] { return *whole.goOn(known, false); });
-  };
-  const bool as_given_first = isDecisive(whole.score, cut->score);
-  if (as_given_first) goOnAsGiven();
-  if (!isConvincing(as_given)) other = clock.tryTo([&] { return *cut->goOn(known, false); });
-  if (other && other->found.chosen < 0) other.reset();  // it has no map
-  if (!as_given_first && !(isConvincing(other) && isDecisive(cut->score, whole.score)))
-    goOnAsGiven();
-  if (!as_given && !other) throw std::runtime_error("neither surface can be bent onto the other");
-  if (as_given &&
-      (!other || (as_given->found.chosen >= 0 &&
-                  scoreApartFromHands(*other) > scoreApartFromHands(*as_given) - SCORE_NOISE)))
-    return as_given;
-  Attempt taken = ofParted(std::move(*other), source, target, parted);
-  taken.finish = [finish = std::move(taken.finish),
-                  whole,
-                  is_whole_left,
-                  as_given = std::move(as_given),
-                  &clock] {
-    if (!as_given && !is_whole_left) return finish();
-    std::optional<RegistrationResult> result = clock.tryTo(finish);
-    return result ? std::move(*result)
-                  : finished(as_given ? *as_given : *whole.goOn(nullptr, false));
-  };
-  return taken;
+  const std::optional<BegunAttempt> as_whole = begun("patched", whole);
+  const std::optional<BegunAttempt> as_cut = cut ? begun("patched-parted", *cut) : std::nullopt;
+  if (as_whole && as_cut) return betterOf(*as_whole, *as_cut, nullptr, clock);
+  if (as_whole) return *as_whole->goOn(nullptr, false);
+  if (as_cut) return *as_cut->goOn(nullptr, false);
+  throw std::runtime_error("no surface can be bent with its holes closed");
 }
 
 }  // namespace posture
