@@ -9,7 +9,7 @@
 #include "attempts/best_attempt.h"
 #include "attempts/leave_out_patches.h"
 #include "attempts/piece_attempts.h"
-#include "attempts/whole_attempt.h"
+#include "attempts/whole_attempts.h"
 #include "published/published_method.h"
 #include "refined/refined_method.h"
 #include "sides/clean_sides.h"
@@ -77,22 +77,19 @@ RegistrationResult registerPatched(const GivenShape& source,
     return PartedSides{partedSurface(source.input, source.clean),
                        partedSurface(target.input, target.clean)};
   });
-  const auto patched = [&](const auto& of_source, const auto& of_target) {
-    return PatchedSides{withPatches(source.input, of_source), withPatches(target.input, of_target)};
-  };
-  const auto [whole, cut] = clock.stage("holes", 0.01, [&] {
-    return std::pair(
-        patched(source.clean, target.clean),
-        parted.any() ? std::optional(patched(parted.source, parted.target)) : std::nullopt);
+  const auto [cut, uncut] = clock.stage("holes", 0.01, [&] {
+    return std::pair(PatchedSides{withPatches(source.input, parted.source),
+                                  withPatches(target.input, parted.target)},
+                     parted.any()
+                         ? std::optional(PatchedSides{withPatches(source.input, source.clean),
+                                                      withPatches(target.input, target.clean)})
+                         : std::nullopt);
   });
-  const auto haveMany = [](const PatchedSides& sides) {
-    return std::max(sides.source.rims, sides.target.rims) > MANY_RIMS;
-  };
-  const bool many = haveMany(whole) || (cut && haveMany(*cut));
+  const bool many = std::max(cut.source.rims, cut.target.rims) > MANY_RIMS;
   std::optional<Attempt> closed;
   if (many)
-    closed = clock.tryAttempt("patched", 0.5, [&, &a = whole, &b = cut] {
-      return patchedAttempt(source, target, a, b, options, clock);
+    closed = clock.tryAttempt("patched", 0.5, [&, &a = cut, &b = uncut] {
+      return patchedAttempt(source, target, a, b ? &*b : nullptr, options, clock);
     });
   const auto asGiven = [&](double portion, const RegistrationResult* known) {
     return clock.within(

@@ -17,8 +17,8 @@ namespace posture {
 /// Of an attempt at surfaces as they are and one at the same cut open: the better map tells, the
 /// first ones already where they decide. The one cut open has to score better by more than scores
 /// vary, and gives way to the other where it cannot be finished.
-/// \param whole, cut  begun. \param known  see BegunAttempt::goOn.
 ///
+/// \param known  see BegunAttempt::goOn.
 /// \throws std::runtime_error  neither surface can be bent
 Attempt betterOf(const BegunAttempt& whole,
                  const BegunAttempt& cut,
@@ -41,14 +41,16 @@ struct PatchedSides {
   PatchedShape source, target;
 };
 
-/// The same with holes closed, on surfaces as they are and on those cut open, which are other
-/// holes; patches are left out of its results.
-/// \param whole, cut  `cut`: none where there is no contact. Both outlive the attempt.
+/// Registers the shapes with holes closed, on surfaces that are cut open at contacts; where that
+/// does not convince, also on those that are not, as a cut may be of what is no contact. Patches
+/// are left out of its results.
+///
+/// \param uncut  null where there is no contact. Outlives the attempt, as `cut` does.
 /// \throws std::runtime_error  no surface can be bent
 Attempt patchedAttempt(const GivenShape& source,
                        const GivenShape& target,
-                       const PatchedSides& whole,
-                       const std::optional<PatchedSides>& cut,
+                       const PatchedSides& cut,
+                       const PatchedSides* uncut,
                        const RegistrationOptions& options,
                        StageClock& clock);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "attempts/whole_attempt.h"
+#include "attempts/whole_attempts.h"
 
 #include <posture/refine/map_score.h>
 
@@ -114,25 +114,24 @@ std::optional<Attempt> wholeAttempt(const GivenShape& source,
 
 Attempt patchedAttempt(const GivenShape& source,
                        const GivenShape& target,
-                       const PatchedSides& whole,
-                       const std::optional<PatchedSides>& cut,
+                       const PatchedSides& cut,
+                       const PatchedSides* uncut,
                        const RegistrationOptions& options,
                        StageClock& clock) {
-  const double portion = clock.label().portion / (cut ? 2 : 1);
-  const auto begun = [&](const std::string& name, const PatchedSides& sides) {
-    return clock.tryAttempt(name, portion, [&] {
-      return withChange(beginAttempt(sides.source.given(), sides.target.given(), options, clock),
-                        [&](RegistrationResult& result) {
-                          leaveOutPatches(source, sides.source, target, sides.target, result);
-                        });
-    });
+  const auto attempt = [&](const PatchedSides& sides) {
+    return withChange(refinedMethod(sides.source.given(), sides.target.given(), options, clock),
+                      [&source, &target, &sides](RegistrationResult& result) {
+                        leaveOutPatches(source, sides.source, target, sides.target, result);
+                      });
   };
-  const std::optional<BegunAttempt> as_whole = begun("patched", whole);
-  const std::optional<BegunAttempt> as_cut = cut ? begun("patched-parted", *cut) : std::nullopt;
-  if (as_whole && as_cut) return betterOf(*as_whole, *as_cut, nullptr, clock);
-  if (as_whole) return *as_whole->goOn(nullptr, false);
-  if (as_cut) return *as_cut->goOn(nullptr, false);
-  throw std::runtime_error("no surface can be bent with its holes closed");
+  std::optional<Attempt> as_cut = clock.tryTo([&] { return attempt(cut); }), other;
+  if (uncut != nullptr && !(as_cut && looksAlike(as_cut->found)))
+    other = clock.tryAttempt("patched-uncut", 0, [&] { return attempt(*uncut); });
+  if (!as_cut && !other) throw std::runtime_error("no surface can be bent with its holes closed");
+  const bool is_better = other && other->found.chosen >= 0 &&
+                         (!as_cut || as_cut->found.chosen < 0 ||
+                          scoreApartFromHands(*other) < scoreApartFromHands(*as_cut) - SCORE_NOISE);
+  return std::move(is_better || !as_cut ? *other : *as_cut);
 }
 
 }  // namespace posture

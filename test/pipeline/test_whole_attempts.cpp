@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "attempts/whole_attempt.h"
+#include "attempts/whole_attempts.h"
 #include "pipeline/made_up_answers.h"
 #include <optional>
 #include <stdexcept>
