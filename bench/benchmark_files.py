@@ -1,7 +1,17 @@
 """What the lists in this folder are made with: the benchmark's files, and vectors."""
+import csv
 import os
 
 FAMILIES = ("cat", "horse", "gorilla", "centaur", "michael", "victoria", "faust")
+
+
+def spread_pairs(benchmark, each):
+    """So many pairs a family, spread evenly over those the benchmark has."""
+    with open(os.path.join(benchmark, "pairs.csv")) as pairs:
+        rows = list(csv.DictReader(pairs))
+    for family in FAMILIES:
+        own = [row for row in rows if row["family"] == family]
+        yield from (own[i * len(own) // each] for i in range(each))
 
 
 def read_mesh(path):

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Writes a list of the benchmark's near-isometric pairs as scanners that fuse depth images into voxels
-give them: of three pairs a family, spread evenly, the mesh beside its target filled into voxels, blurred
-and meshed anew, and both sides so. Parts less than two voxels apart have become one, fingers and ears
-have lost their ends, and nothing has a hole. The seed moves the voxels against the bodies.
+"""Writes a list of the benchmark's near-isometric pairs as scanners that fuse depth images into
+voxels give them: of three pairs a family, spread evenly, the mesh beside its target filled into
+voxels, blurred and meshed anew, and both sides so. Parts less than two voxels apart have become one,
+fingers and ears have lost their ends, and nothing has a hole. The seed moves the voxels against the
+bodies.
 
 Errors are those on the mesh behind the target; what the voxels swallowed has no truth.
 
@@ -15,7 +16,7 @@ import os
 import random
 import sys
 
-from benchmark_files import FAMILIES, cross, dot, minus, read_mesh, read_truth, write_mesh
+from benchmark_files import cross, dot, minus, read_mesh, read_truth, spread_pairs, write_mesh
 
 EACH = 3
 VOXELS = 85     # along the square root of the area: 16 mm of a person
@@ -29,7 +30,7 @@ def area(vertices, faces):
 
 
 class Grid:
-    """Of each voxel whether its centre is inside a mesh, by most of the rays along the three axes."""
+    """Of each voxel whether its centre is inside a mesh, by two of the rays along the three axes."""
 
     def __init__(self, vertices, faces, draw):
         low, high = ([f(v[i] for v in vertices) for i in range(3)] for f in (min, max))
@@ -83,7 +84,7 @@ class Grid:
                 i // self.size[0] // self.size[1])
 
 
-# The six tetrahedra of a cube around its diagonal, by corners (bits: x, y, z), all the same way round.
+# The six tetrahedra of a cube around its diagonal, by corners (bits: x, y, z), all turned alike.
 TETRAHEDRA = ((0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 7), (0, 5, 1, 7))
 
 
@@ -170,47 +171,43 @@ def fused(vertices, faces, draw):
 
 def main(benchmark, out, seed):
     os.makedirs(out, exist_ok=True)
-    with open(os.path.join(benchmark, "pairs.csv")) as pairs:
-        rows = list(csv.DictReader(pairs))
     with open(os.path.join(out, "fused.csv"), "w", newline="") as listed:
         table = csv.DictWriter(listed, ["id", "family", "kind", "source", "target", "truth",
                                         "target_surface", "target_surface_vertices", "note"])
         table.writeheader()
-        for family in FAMILIES:
-            own = [row for row in rows if row["family"] == family]
-            for row in (own[i * len(own) // EACH] for i in range(EACH)):
-                path = os.path.abspath(os.path.join(out, row["id"]))
-                old = {side: read_mesh(os.path.join(benchmark, row[side]))
-                       for side in ("source", "target")}
-                made = {}
-                for side in old:
-                    made[side] = fused(*old[side], random.Random(row["id"] + side + seed))
-                    write_mesh("%s-%s.off" % (path, side), *made[side][:2])
-                truth = read_truth(benchmark, row["truth"], len(old["source"][0]))
-                on_source, on_target = made["source"][2], made["target"][2]
-                with open(path + "-vertices.txt", "w") as lines:
-                    lines.writelines("%d %d\n" % (i, w) for i, w in enumerate(made["target"][3])
-                                     if w is not None)
-                for kind, source in (("mesh-fused", None), ("fused-fused", on_source)):
-                    with open("%s-%s.txt" % (path, kind), "w") as lines:
-                        known = set()
-                        for v, w in truth:
-                            start = v if source is None else source[v]
-                            if start is None or on_target[w] is None or start in known:
-                                continue
-                            known.add(start)
-                            lines.write("%d %d\n" % (start, on_target[w]))
-                    table.writerow({
-                        "id": "%s-%s" % (row["id"], kind), "family": family, "kind": kind,
-                        "source": os.path.abspath(os.path.join(benchmark, row["source"]))
-                                  if source is None else path + "-source.off",
-                        "target": path + "-target.off",
-                        "truth": "%s-%s.txt" % (path, kind),
-                        "target_surface": os.path.abspath(os.path.join(benchmark, row["target"])),
-                        "target_surface_vertices": path + "-vertices.txt",
-                        "note": "%d and %d vertices" % (
-                            len((old if source is None else made)["source"][0]),
-                            len(made["target"][0]))})
+        for row in spread_pairs(benchmark, EACH):
+            path = os.path.abspath(os.path.join(out, row["id"]))
+            old = {side: read_mesh(os.path.join(benchmark, row[side]))
+                   for side in ("source", "target")}
+            made = {}
+            for side in old:
+                made[side] = fused(*old[side], random.Random(row["id"] + side + seed))
+                write_mesh("%s-%s.off" % (path, side), *made[side][:2])
+            truth = read_truth(benchmark, row["truth"], len(old["source"][0]))
+            on_source, on_target = made["source"][2], made["target"][2]
+            with open(path + "-vertices.txt", "w") as lines:
+                lines.writelines("%d %d\n" % (i, w) for i, w in enumerate(made["target"][3])
+                                 if w is not None)
+            for kind, source in (("mesh-fused", None), ("fused-fused", on_source)):
+                with open("%s-%s.txt" % (path, kind), "w") as lines:
+                    known = set()
+                    for v, w in truth:
+                        start = v if source is None else source[v]
+                        if start is None or on_target[w] is None or start in known:
+                            continue
+                        known.add(start)
+                        lines.write("%d %d\n" % (start, on_target[w]))
+                table.writerow({
+                    "id": "%s-%s" % (row["id"], kind), "family": row["family"], "kind": kind,
+                    "source": os.path.abspath(os.path.join(benchmark, row["source"]))
+                              if source is None else path + "-source.off",
+                    "target": path + "-target.off",
+                    "truth": "%s-%s.txt" % (path, kind),
+                    "target_surface": os.path.abspath(os.path.join(benchmark, row["target"])),
+                    "target_surface_vertices": path + "-vertices.txt",
+                    "note": "%d and %d vertices" % (
+                        len((old if source is None else made)["source"][0]),
+                        len(made["target"][0]))})
 
 
 if __name__ == "__main__":

@@ -13,8 +13,8 @@ import os
 import random
 import sys
 
-from benchmark_files import (FAMILIES, compact, cross, dot, minus, read_mesh, read_truth,
-                             write_mesh)
+from benchmark_files import (compact, cross, dot, minus, read_mesh, read_truth,
+                             spread_pairs, write_mesh)
 
 EACH, TIPS, SHARES = 2, 6, (0.15, 0.3, 0.5)
 
@@ -34,57 +34,53 @@ def distances(edges, starts):
 
 def main(benchmark, out, seed):
     os.makedirs(out, exist_ok=True)
-    with open(os.path.join(benchmark, "pairs.csv")) as pairs:
-        rows = list(csv.DictReader(pairs))
     with open(os.path.join(out, "pieces.csv"), "w", newline="") as listed:
         table = csv.DictWriter(listed, ["id", "family", "kind", "source", "target", "truth"])
         table.writeheader()
-        for family in FAMILIES:
-            own = [row for row in rows if row["family"] == family]
-            for row in (own[i * len(own) // EACH] for i in range(EACH)):
-                vertices, faces = read_mesh(os.path.join(benchmark, row["source"]))
-                truth = read_truth(benchmark, row["truth"], len(vertices))
-                edges = [set() for _ in vertices]
-                for face in faces:
-                    for a, b in zip(face, face[1:] + face[:1]):
-                        d = minus(vertices[a], vertices[b])
-                        length = math.sqrt(dot(d, d))
-                        edges[a].add((b, length))
-                        edges[b].add((a, length))
-                used = min(v for face in faces for v in face)
-                around = distances(edges, [used])
-                tips = [max(sorted(around), key=around.get)]
-                while len(tips) < TIPS:
-                    around = distances(edges, tips)
-                    tips.append(max(sorted(around), key=around.get))
-                around = distances(edges, [random.Random(row["id"] + seed).choice(tips)])
-                area = []
-                for a, b, c in faces:
-                    n = cross(minus(vertices[b], vertices[a]), minus(vertices[c], vertices[a]))
-                    area.append(math.sqrt(dot(n, n)))
-                order = sorted((max(around.get(v, math.inf) for v in face), number)
-                               for number, face in enumerate(faces))
-                for share in SHARES:
-                    sum_, taken = 0, []
-                    for _, number in order:
-                        if sum_ > share * sum(area):
-                            break
-                        sum_ += area[number]
-                        taken.append(faces[number])
-                    piece, piece_faces, kept = compact(vertices, taken)
-                    number = {v: i for i, v in enumerate(kept)}
-                    name = "%s-%d" % (row["id"], round(100 * share))
-                    paths = {what: os.path.abspath(os.path.join(out, name + end))
-                             for what, end in (("mesh", ".off"), ("truth", ".txt"))}
-                    write_mesh(paths["mesh"], piece, piece_faces)
-                    with open(paths["truth"], "w") as lines:
-                        lines.writelines("%d %d\n" % (number[v], w) for v, w in truth
-                                         if v in number)
-                    table.writerow({"id": name, "family": family,
-                                    "kind": "piece-%d" % round(100 * share),
-                                    "source": paths["mesh"], "truth": paths["truth"],
-                                    "target": os.path.abspath(
-                                        os.path.join(benchmark, row["target"]))})
+        for row in spread_pairs(benchmark, EACH):
+            vertices, faces = read_mesh(os.path.join(benchmark, row["source"]))
+            truth = read_truth(benchmark, row["truth"], len(vertices))
+            edges = [set() for _ in vertices]
+            for face in faces:
+                for a, b in zip(face, face[1:] + face[:1]):
+                    d = minus(vertices[a], vertices[b])
+                    length = math.sqrt(dot(d, d))
+                    edges[a].add((b, length))
+                    edges[b].add((a, length))
+            used = min(v for face in faces for v in face)
+            around = distances(edges, [used])
+            tips = [max(sorted(around), key=around.get)]
+            while len(tips) < TIPS:
+                around = distances(edges, tips)
+                tips.append(max(sorted(around), key=around.get))
+            around = distances(edges, [random.Random(row["id"] + seed).choice(tips)])
+            area = []
+            for a, b, c in faces:
+                n = cross(minus(vertices[b], vertices[a]), minus(vertices[c], vertices[a]))
+                area.append(math.sqrt(dot(n, n)))
+            order = sorted((max(around.get(v, math.inf) for v in face), number)
+                           for number, face in enumerate(faces))
+            for share in SHARES:
+                sum_, taken = 0, []
+                for _, number in order:
+                    if sum_ > share * sum(area):
+                        break
+                    sum_ += area[number]
+                    taken.append(faces[number])
+                piece, piece_faces, kept = compact(vertices, taken)
+                number = {v: i for i, v in enumerate(kept)}
+                name = "%s-%d" % (row["id"], round(100 * share))
+                paths = {what: os.path.abspath(os.path.join(out, name + end))
+                         for what, end in (("mesh", ".off"), ("truth", ".txt"))}
+                write_mesh(paths["mesh"], piece, piece_faces)
+                with open(paths["truth"], "w") as lines:
+                    lines.writelines("%d %d\n" % (number[v], w) for v, w in truth
+                                     if v in number)
+                table.writerow({"id": name, "family": row["family"],
+                                "kind": "piece-%d" % round(100 * share),
+                                "source": paths["mesh"], "truth": paths["truth"],
+                                "target": os.path.abspath(
+                                    os.path.join(benchmark, row["target"]))})
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ import os
 import random
 import sys
 
-from benchmark_files import FAMILIES, cross, dot, read_mesh, read_truth
+from benchmark_files import cross, dot, read_mesh, read_truth, spread_pairs
 from depth_image import View, direction
 
 EACH, POINTS = 3, 25000
@@ -66,43 +66,39 @@ def write(path, points):
 
 def main(benchmark, out, seed):
     os.makedirs(out, exist_ok=True)
-    with open(os.path.join(benchmark, "pairs.csv")) as pairs:
-        rows = list(csv.DictReader(pairs))
     with open(os.path.join(out, "scans.csv"), "w", newline="") as listed:
         table = csv.DictWriter(listed, ["id", "family", "kind", "source", "target", "truth",
                                         "target_surface", "target_surface_vertices", "note"])
         table.writeheader()
-        for family in FAMILIES:
-            own = [row for row in rows if row["family"] == family]
-            for row in (own[i * len(own) // EACH] for i in range(EACH)):
-                mesh = {side: read_mesh(os.path.join(benchmark, row[side]))
-                        for side in ("source", "target")}
-                truth = dict(reversed(read_truth(benchmark, row["truth"], len(mesh["source"][0]))))
-                for count in APART:
-                    new = "%s-%d-views" % (row["id"], count)
-                    draw = random.Random(new + seed)
-                    path = os.path.abspath(os.path.join(out, new))
-                    source, target = (scan(*mesh[side], count, draw)
-                                      for side in ("source", "target"))
-                    write(path + "-source.xyz", elsewhere([p for p, _ in source], draw))
-                    write(path + "-target.xyz", [p for p, _ in target])
-                    shown = {}
-                    for i, (_, w) in enumerate(target):
-                        if w is not None:
-                            shown.setdefault(w, i)
-                    with open(path + ".txt", "w") as lines:
-                        lines.writelines("%d %d\n" % (i, shown[truth[v]])
-                                         for i, (_, v) in enumerate(source)
-                                         if truth.get(v) in shown)
-                    with open(path + "-vertices.txt", "w") as lines:
-                        lines.writelines("%d %d\n" % (i, w) for i, (_, w) in enumerate(target)
-                                         if w is not None)
-                    table.writerow({
-                        "id": new, "family": family, "kind": "scans", "source": path + "-source.xyz",
-                        "target": path + "-target.xyz", "truth": path + ".txt",
-                        "target_surface": os.path.abspath(os.path.join(benchmark, row["target"])),
-                        "target_surface_vertices": path + "-vertices.txt",
-                        "note": "%d and %d points" % (len(source), len(target))})
+        for row in spread_pairs(benchmark, EACH):
+            mesh = {side: read_mesh(os.path.join(benchmark, row[side]))
+                    for side in ("source", "target")}
+            truth = dict(reversed(read_truth(benchmark, row["truth"], len(mesh["source"][0]))))
+            for count in APART:
+                new = "%s-%d-views" % (row["id"], count)
+                draw = random.Random(new + seed)
+                path = os.path.abspath(os.path.join(out, new))
+                source, target = (scan(*mesh[side], count, draw)
+                                  for side in ("source", "target"))
+                write(path + "-source.xyz", elsewhere([p for p, _ in source], draw))
+                write(path + "-target.xyz", [p for p, _ in target])
+                shown = {}
+                for i, (_, w) in enumerate(target):
+                    if w is not None:
+                        shown.setdefault(w, i)
+                with open(path + ".txt", "w") as lines:
+                    lines.writelines("%d %d\n" % (i, shown[truth[v]])
+                                     for i, (_, v) in enumerate(source)
+                                     if truth.get(v) in shown)
+                with open(path + "-vertices.txt", "w") as lines:
+                    lines.writelines("%d %d\n" % (i, w) for i, (_, w) in enumerate(target)
+                                     if w is not None)
+                table.writerow({
+                    "id": new, "family": row["family"], "kind": "scans", "source": path + "-source.xyz",
+                    "target": path + "-target.xyz", "truth": path + ".txt",
+                    "target_surface": os.path.abspath(os.path.join(benchmark, row["target"])),
+                    "target_surface_vertices": path + "-vertices.txt",
+                    "note": "%d and %d points" % (len(source), len(target))})
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ import os
 import random
 import sys
 
-from benchmark_files import FAMILIES, dot, minus, read_mesh, read_truth
+from benchmark_files import dot, minus, read_mesh, read_truth, spread_pairs
 from depth_image import View, direction, direction_near
 
 EACH, POINTS = 3, 15000
@@ -55,18 +55,12 @@ def write(view, path, vertices):
 
 def main(benchmark, out, seed):
     os.makedirs(out, exist_ok=True)
-    with open(os.path.join(benchmark, "pairs.csv")) as pairs:
-        rows = list(csv.DictReader(pairs))
     with open(os.path.join(out, "views.csv"), "w", newline="") as listed:
         columns = ["id", "family", "kind", "source", "target", "truth", "target_surface",
                    "target_surface_vertices", "note"]
         table = csv.DictWriter(listed, columns)
         table.writeheader()
-        chosen = []
-        for family in FAMILIES:
-            own = [row for row in rows if row["family"] == family]
-            chosen += [own[i * len(own) // EACH] for i in range(EACH)]
-        for row in chosen:
+        for row in spread_pairs(benchmark, EACH):
             draw = random.Random(row["id"] + seed)
             axis = direction(draw)
             axes = {"source": axis, "target": direction_near(axis, APART, draw)}
