@@ -69,7 +69,7 @@ struct PieceAndWhole {
   std::vector<VertexPair> truth;
 };
 
-TEST(Pieces, onlySurfacesWithALongRimMayBeSome) {
+TEST(PartsLike, aSurfaceWithALongRimMayBeSome) {
   const PieceAndWhole shapes;
   EXPECT_TRUE(mayBePiece(cleanMesh(shapes.piece.mesh)));
   EXPECT_FALSE(mayBePiece(cleanMesh(shapes.whole)));
@@ -78,7 +78,7 @@ TEST(Pieces, onlySurfacesWithALongRimMayBeSome) {
   EXPECT_FALSE(mayBePiece(cleanMesh(pinhole)));
 }
 
-TEST(Pieces, aSurfaceMayBeSomeWhereMoreThanCrumbsLieOffIt) {
+TEST(PartsLike, aSurfaceMayBeSomeWhereMoreThanCrumbsLieOffIt) {
   const auto withPieceOf = [](double radius) {
     TriangleMesh both = test::sphere(4);
     const TriangleMesh piece = test::sphere(3);
@@ -94,7 +94,7 @@ TEST(Pieces, aSurfaceMayBeSomeWhereMoreThanCrumbsLieOffIt) {
   EXPECT_TRUE(mayBePiece(withPieceOf(0.2)));
 }
 
-TEST(Pieces, oneOfThePartsHasAllThatThePieceHas) {
+TEST(PartsLike, oneOfThePartsHasAllThatThePieceHas) {
   const PieceAndWhole shapes;
   const CleanMesh whole = cleanMesh(shapes.whole);
   const auto parts = partsLike(cleanMesh(shapes.piece.mesh), {shapes.whole, whole}, 3);
@@ -114,7 +114,7 @@ TEST(Pieces, oneOfThePartsHasAllThatThePieceHas) {
   EXPECT_GT(best, 0.9);
 }
 
-TEST(Pieces, partsTellWhichOfTheWholesFacesAreTheirsAndHowAllWereTurned) {
+TEST(PartsLike, partsTellWhichOfTheWholesFacesAreTheirsAndHowAllWereTurned) {
   PieceAndWhole shapes;
   for (int f = 0; f < shapes.whole.faces.rows(); f += 7)
     std::swap(shapes.whole.faces(f, 1), shapes.whole.faces(f, 2));
@@ -134,7 +134,7 @@ TEST(Pieces, partsTellWhichOfTheWholesFacesAreTheirsAndHowAllWereTurned) {
   }
 }
 
-TEST(Pieces, aPieceIsFoundOnTheWhole) {
+TEST(PartsLike, aPieceIsFoundOnTheWhole) {
   const PieceAndWhole shapes;
   const RegistrationResult result = registerShapes(shapes.piece.mesh, shapes.whole);
   EXPECT_EQ(result.status, Status::REGISTERED) << result.message;
@@ -163,7 +163,7 @@ TEST(Pieces, aPieceIsFoundOnTheWhole) {
   EXPECT_LT(sum / mapped, 0.04 * shapes.size());
 }
 
-TEST(Pieces, whatAPieceLacksHasNoCounterpartOnIt) {
+TEST(PartsLike, whatAPieceLacksHasNoCounterpartOnIt) {
   const PieceAndWhole shapes;
   const RegistrationResult result = registerShapes(shapes.whole, shapes.piece.mesh);
   EXPECT_EQ(result.status, Status::REGISTERED) << result.message;

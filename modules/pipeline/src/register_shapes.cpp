@@ -21,6 +21,7 @@
 #include "sides/scan_side.h"
 #include "stage_clock.h"
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -77,19 +78,22 @@ RegistrationResult registerPatched(const GivenShape& source,
     return PartedSides{partedSurface(source.input, source.clean),
                        partedSurface(target.input, target.clean)};
   });
-  const auto [cut, uncut] = clock.stage("holes", 0.01, [&] {
-    return std::pair(PatchedSides{withPatches(source.input, parted.source),
-                                  withPatches(target.input, parted.target)},
-                     parted.any()
-                         ? std::optional(PatchedSides{withPatches(source.input, source.clean),
-                                                      withPatches(target.input, target.clean)})
-                         : std::nullopt);
+  const PatchedSides cut = clock.stage("holes", 0.01, [&] {
+    return PatchedSides{withPatches(source.input, parted.source),
+                        withPatches(target.input, parted.target)};
   });
   const bool many = std::max(cut.source.rims, cut.target.rims) > MANY_RIMS;
+  std::optional<PatchedSides> uncut;
+  std::function<const PatchedSides&()> makeUncut;
+  if (parted.any())
+    makeUncut = [&]() -> const PatchedSides& {
+      return uncut.emplace(PatchedSides{withPatches(source.input, source.clean),
+                                        withPatches(target.input, target.clean)});
+    };
   std::optional<Attempt> closed;
   if (many)
-    closed = clock.tryAttempt("patched", 0.5, [&, &a = cut, &b = uncut] {
-      return patchedAttempt(source, target, a, b ? &*b : nullptr, options, clock);
+    closed = clock.tryAttempt("patched", 0.5, [&] {
+      return patchedAttempt(source, target, cut, makeUncut, options, clock);
     });
   const auto asGiven = [&](double portion, const RegistrationResult* known) {
     return clock.within(

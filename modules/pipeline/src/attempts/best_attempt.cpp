@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "attempts/best_attempt.h"
 
-#include <posture/mesh/position_of.h>
 #include <posture/refine/map_score.h>
 
 #include "answer/same_answer.h"

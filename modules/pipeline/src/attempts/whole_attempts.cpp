@@ -115,7 +115,7 @@ std::optional<Attempt> wholeAttempt(const GivenShape& source,
 Attempt patchedAttempt(const GivenShape& source,
                        const GivenShape& target,
                        const PatchedSides& cut,
-                       const PatchedSides* uncut,
+                       const std::function<const PatchedSides&()>& uncut,
                        const RegistrationOptions& options,
                        StageClock& clock) {
   const auto attempt = [&](const PatchedSides& sides) {
@@ -125,8 +125,8 @@ Attempt patchedAttempt(const GivenShape& source,
                       });
   };
   std::optional<Attempt> as_cut = clock.tryTo([&] { return attempt(cut); }), other;
-  if (uncut != nullptr && !(as_cut && looksAlike(as_cut->found)))
-    other = clock.tryAttempt("patched-uncut", 0, [&] { return attempt(*uncut); });
+  if (uncut && !(as_cut && looksAlike(as_cut->found)))
+    other = clock.tryAttempt("patched-uncut", 0, [&] { return attempt(uncut()); });
   if (!as_cut && !other) throw std::runtime_error("no surface can be bent with its holes closed");
   const bool is_better = other && other->found.chosen >= 0 &&
                          (!as_cut || as_cut->found.chosen < 0 ||

@@ -10,6 +10,7 @@
 #include "sides/given_shape.h"
 #include "sides/patched_shape.h"
 #include "stage_clock.h"
+#include <functional>
 #include <optional>
 
 namespace posture {
@@ -45,12 +46,14 @@ struct PatchedSides {
 /// does not convince, also on those that are not, as a cut may be of what is no contact. Patches
 /// are left out of its results.
 ///
-/// \param uncut  null where there is no contact. Outlives the attempt, as `cut` does.
+/// \param uncut  makes these; empty where there is no contact. What it returns outlives the
+/// attempt,
+///               as `cut` does.
 /// \throws std::runtime_error  no surface can be bent
 Attempt patchedAttempt(const GivenShape& source,
                        const GivenShape& target,
                        const PatchedSides& cut,
-                       const PatchedSides* uncut,
+                       const std::function<const PatchedSides&()>& uncut,
                        const RegistrationOptions& options,
                        StageClock& clock);
 

@@ -163,7 +163,7 @@ FirstMaps preparedSides(const GivenShape& source_given,
 /// amiss than those of whole bodies do (up to 0.045 of the area; 0.076 and more where a horse has
 /// lost its lower legs): the other side lacks a part without a rim to show for it, as scans do
 /// that were closed, and rid of their pieces.
-bool squeezesAPart(const FirstMaps& first) {
+bool misplacesALimb(const FirstMaps& first) {
   constexpr double MOST_MISPLACED = 0.06;
   if (first.bent.empty() || !convinces(first.bent.front().score.total())) return false;
   const VertexMaps& maps = first.bent.front().maps;
@@ -241,7 +241,7 @@ void chooseAmong(const FirstMaps& first_maps, std::vector<Finalist> found, Stage
 /// \return false: it stopped before maps are refined, as the known answer stands.
 bool chooseMap(const FirstMaps& first_maps, const KnownAnswer& known, StageClock& clock) {
   ChosenMap& chosen = *first_maps.chosen;
-  chosen.may_lack = mayLack(chosen.source, chosen.target) || squeezesAPart(first_maps);
+  chosen.may_lack = mayLack(chosen.source, chosen.target) || misplacesALimb(first_maps);
   std::optional<std::vector<Finalist>> found =
       findFinalists(first_maps.coarseSides(), first_maps.bent, chosen.may_lack, known, clock);
   if (!found) {

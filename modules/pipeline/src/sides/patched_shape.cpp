@@ -3,14 +3,9 @@
 #include "sides/patched_shape.h"
 
 #include <posture/mesh/bridge_pieces.h>
-#include <posture/mesh/edges.h>
 #include <posture/mesh/hole_patches.h>
-#include <posture/mesh/position_of.h>
 
 #include "sides/pose.h"
-#include <limits>
-#include <utility>
-#include <vector>
 
 namespace posture {
 namespace {

@@ -10,7 +10,9 @@
 #include <Eigen/Geometry>
 
 #include "noisy/agreement.h"
+#include "noisy/tangent_delaunay.h"
 #include "pcl/pcl_surfaces.h"
+#include "points/neighbors.h"
 #include "points/spacing.h"
 #include "surface/doubts.h"
 #include "surface/finished_surface.h"

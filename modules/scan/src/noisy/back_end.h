@@ -5,7 +5,6 @@
 #include <posture/scan/reconstruct.h>
 
 #include "points/oriented_points.h"
-#include <vector>
 
 namespace posture {
 

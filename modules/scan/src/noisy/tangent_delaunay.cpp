@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "noisy/thinning.h"
 #include <algorithm>
 #include <cmath>
 

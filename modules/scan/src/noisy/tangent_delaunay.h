@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "noisy/thinning.h"
 #include "points/neighbors.h"
 #include "points/oriented_points.h"
 #include "points/spacing.h"

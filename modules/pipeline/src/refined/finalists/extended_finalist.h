@@ -4,6 +4,7 @@
 
 #include <posture/pipeline/register_shapes.h>
 
+#include "refined/finalists/finalists.h"
 #include "refined/finalists/find_finalists.h"
 
 namespace posture {

@@ -4,6 +4,7 @@
 
 #include <posture/pipeline/observer.h>
 
+#include "refined/finalists/finalists.h"
 #include "refined/refinement/refined_maps.h"
 #include "refined/work/refined_shape.h"
 
