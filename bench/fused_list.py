@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Writes a list of the benchmark's near-isometric pairs as scanners that fuse depth images into
 voxels give them: of three pairs a family, spread evenly, the mesh beside its target filled into
-voxels, blurred and meshed anew, and both sides so. Parts less than two voxels apart have become one,
-fingers and ears have lost their ends, and nothing has a hole. The seed moves the voxels against the
+voxels, blurred and meshed anew, and both sides so. Parts less than two voxels apart have become
+one, fingers and ears have lost their ends, limbs thinner than three voxels are gone, so that what
+lies beyond is a piece of its own, and nothing has a hole. The seed moves the voxels against the
 bodies.
 
-Errors are those on the mesh behind the target; what the voxels swallowed has no truth.
+Errors are those on the mesh behind the target; what the voxels swallowed has no truth. Where parts
+have become one, the truth may be the other one's nearest place.
 
     bench/fused_list.py BENCHMARK_FOLDER OUT_FOLDER [SEED]
     posture benchmark OUT_FOLDER/fused.csv -o RESULTS
@@ -19,8 +21,9 @@ import sys
 from benchmark_files import cross, dot, minus, read_mesh, read_truth, spread_pairs, write_mesh
 
 EACH = 3
-VOXELS = 85     # along the square root of the area: 16 mm of a person
+VOXELS = 85      # along the square root of the area: 16 mm of a person
 SWALLOWED = 1.5  # voxels from the new surface
+REACH = 10       # voxels from a new vertex to the nearest old one, at most
 
 
 def area(vertices, faces):
@@ -164,9 +167,9 @@ def fused(vertices, faces, draw):
     grid.blur()
     new, new_faces = isosurface(grid, 0.5)
     to_new, reach = Nearest(new, 2 * grid.voxel), SWALLOWED * grid.voxel
-    to_old = Nearest(vertices, 10 * grid.voxel)
+    to_old = Nearest(vertices, REACH * grid.voxel)
     return (new, new_faces, [to_new(v, reach) for v in vertices],
-            [to_old(v, 10 * grid.voxel) for v in new])
+            [to_old(v, REACH * grid.voxel) for v in new])
 
 
 def main(benchmark, out, seed):
