@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sides/given_shape.h"
 #include "sides/parts_like.h"
 #include "support/bodies.h"
 #include "support/shapes.h"
@@ -80,15 +81,9 @@ TEST(PartsLike, aSurfaceWithALongRimMayBeSome) {
 
 TEST(PartsLike, aSurfaceMayBeSomeWhereMoreThanCrumbsLieOffIt) {
   const auto withPieceOf = [](double radius) {
-    TriangleMesh both = test::sphere(4);
-    const TriangleMesh piece = test::sphere(3);
-    const Eigen::Index n = both.vertices.rows(), m = both.faces.rows();
-    both.vertices.conservativeResize(n + piece.vertices.rows(), 3);
-    both.vertices.bottomRows(piece.vertices.rows()) =
-        (radius * piece.vertices).rowwise() + Eigen::RowVector3d(2, 0, 0);
-    both.faces.conservativeResize(m + piece.faces.rows(), 3);
-    both.faces.bottomRows(piece.faces.rows()) = piece.faces.array() + static_cast<int>(n);
-    return cleanMesh(both);
+    TriangleMesh piece = test::sphere(3);
+    piece.vertices = (radius * piece.vertices).rowwise() + Eigen::RowVector3d(2, 0, 0);
+    return cleanMesh(withPieces(test::sphere(4), piece));
   };
   EXPECT_FALSE(mayBePiece(withPieceOf(0.1)));  // a hundredth of the area
   EXPECT_TRUE(mayBePiece(withPieceOf(0.2)));
