@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sides/parts_like.h"
 
+#include <posture/core/unions.h>
 #include <posture/deformation/reduce_mesh.h>
 #include <posture/geodesic/landmarks.h>
 #include <posture/mesh/edges.h>
@@ -9,6 +10,7 @@
 
 #include "sides/cut_surface.h"
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace posture {
@@ -21,9 +23,9 @@ constexpr int VERTICES = 3000, PIECE_SAMPLES = 60, WHOLE_SAMPLES = 500, LEAST_SA
 /// Of the places that distances allow. A symmetric piece has several in the same part.
 constexpr int PLACES = 12;
 
-/// A neck of a hundredth of the body's area is longer around than this, in square roots of the
-/// area.
-constexpr double LEAST_RIM = 0.2;
+/// Around, in square roots of the area: eyes and a mouth that are holes come to 0.05 to 0.08, a
+/// wrist to 0.12. What is cut off at a neck of a hundredth of the body's area, to 0.2.
+constexpr double NARROWEST_RIM = 0.1, LEAST_RIM = 0.2;
 
 /// Parts that share this much of what both have are one.
 constexpr double SAME_PART = 0.7;
@@ -68,6 +70,25 @@ double overlap(const std::vector<char>& a, const std::vector<char>& b) {
   return either == 0 ? 1 : static_cast<double>(both) / either;
 }
 
+/// The length of the rims that a limb may have come out of, in all; those that touch are one.
+double rimsOfLimbs(const TriangleMesh& mesh) {
+  const std::vector<Edge> edges = meshEdges(mesh.faces);
+  const auto n = static_cast<int>(mesh.vertices.rows());
+  Unions rims(n);
+  for (const Edge& e : edges)
+    if (e.faces == 1) rims.join(e.first, e.second);
+  std::map<int, double> length;
+  for (const Edge& e : edges)
+    if (e.faces == 1)
+      length[rims.root(e.first)] +=
+          (mesh.vertices.row(e.first) - mesh.vertices.row(e.second)).norm();
+  const double narrow = NARROWEST_RIM * rootArea(mesh);
+  double all = 0;
+  for (const auto& [rim, around] : length)
+    if (around > narrow) all += around;
+  return all;
+}
+
 }  // namespace
 
 bool isInPieces(const CleanMesh& surface) {
@@ -77,12 +98,7 @@ bool isInPieces(const CleanMesh& surface) {
 }
 
 bool mayBePiece(const CleanMesh& surface) {
-  if (isInPieces(surface)) return true;
-  double rim = 0;
-  for (const Edge& e : meshEdges(surface.mesh.faces))
-    if (e.faces == 1)
-      rim += (surface.mesh.vertices.row(e.first) - surface.mesh.vertices.row(e.second)).norm();
-  return rim > LEAST_RIM * rootArea(surface.mesh);
+  return isInPieces(surface) || rimsOfLimbs(surface.mesh) > LEAST_RIM * rootArea(surface.mesh);
 }
 
 std::vector<CleanMesh> partsLike(const CleanMesh& piece, const GivenShape& whole, int most) {

@@ -13,8 +13,8 @@ namespace posture {
 /// what is one with the main surface on the other side would be squeezed onto what is next to it.
 bool isInPieces(const CleanMesh& surface);
 
-/// Whether something was cut off a surface, or not seen of it: its rim is longer than that of holes
-/// no matter what lies beyond them, or it is in pieces.
+/// Whether something was cut off a surface, or not seen of it: its rims, but those a limb does not
+/// fit through, are longer than that of holes no matter what lies beyond them, or it is in pieces.
 bool mayBePiece(const CleanMesh& surface);
 
 /// The parts of a whole, cut out of it, that a piece of another pose may be; the likeliest first,
