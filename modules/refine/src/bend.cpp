@@ -5,8 +5,8 @@
 
 #include "belief.h"
 #include "functional_map.h"
-#include "grouped_nearest.h"
-#include "joint_nearest.h"
+#include "nearest_rows.h"
+#include "reduce_dimensions.h"
 #include <cmath>
 #include <utility>
 

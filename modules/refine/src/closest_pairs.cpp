@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "closest_pairs.h"
 
-#include "joint_nearest.h"
+#include "nearest_rows.h"
 
 namespace posture {
 

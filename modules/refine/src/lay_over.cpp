@@ -11,7 +11,7 @@
 #include "belief.h"
 #include "closest_pairs.h"
 #include "even_rotations.h"
-#include "grouped_nearest.h"
+#include "nearest_rows.h"
 #include "pose_features.h"
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <posture/refine/sample_maps.h>
 
 #include "functional_map.h"
-#include "joint_nearest.h"
+#include "nearest_rows.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -4,8 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "grouped_nearest.h"
+#include "nearest_rows.h"
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace posture {
@@ -25,36 +26,46 @@ int nearestOf(const Eigen::MatrixXf& rows, const Eigen::RowVectorXf& row) {
   return static_cast<int>(nearest);
 }
 
-void expectNearest(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b) {
+struct Search {
+  const char* name;
+  void (*find)(const Eigen::MatrixXf&,
+               const Eigen::MatrixXf&,
+               std::vector<int>&,
+               std::vector<int>&);
+};
+
+class NearestRows : public testing::TestWithParam<Search> {};
+
+void expectNearest(const Search& search, const Eigen::MatrixXf& a, const Eigen::MatrixXf& b) {
   std::vector<int> forward, backward;
-  nearestAmongGroups(a, b, forward, backward);
+  search.find(a, b, forward, backward);
   ASSERT_EQ(forward.size(), a.rows());
   ASSERT_EQ(backward.size(), b.rows());
   for (int i = 0; i < a.rows(); ++i) EXPECT_EQ(forward[i], nearestOf(b, a.row(i))) << i;
   for (int j = 0; j < b.rows(); ++j) EXPECT_EQ(backward[j], nearestOf(a, b.row(j))) << j;
 }
 
-TEST(GroupedNearest, finds_what_looking_at_all_finds) {
+TEST_P(NearestRows, findsWhatLookingAtAllFinds) {
   Rng rng(7);
   for (int dimensions : {2, 3, 12})
-    expectNearest(randomRows(500, dimensions, rng), randomRows(333, dimensions, rng));
+    expectNearest(GetParam(), randomRows(500, dimensions, rng), randomRows(333, dimensions, rng));
 }
 
-TEST(GroupedNearest, finds_it_where_the_two_sets_are_far_apart) {
+TEST_P(NearestRows, findsItWhereTheTwoSetsAreFarApart) {
   Rng rng(8);
   Eigen::MatrixXf far = randomRows(200, 3, rng);
   far.col(1).array() += 5;
-  expectNearest(randomRows(300, 3, rng), far);
+  expectNearest(GetParam(), randomRows(300, 3, rng), far);
 }
 
-TEST(GroupedNearest, leaves_rows_out_that_are_no_numbers) {
+TEST_P(NearestRows, leavesRowsOutThatAreNoNumbers) {
   Rng rng(10);
   const Eigen::MatrixXf a = randomRows(200, 3, rng), b = randomRows(150, 3, rng);
   Eigen::MatrixXf with_bad(a.rows() + 2, 3);
   with_bad << a.topRows(60), Eigen::RowVector3f::Constant(NAN), a.bottomRows(140),
       Eigen::RowVector3f(0, INFINITY, 0);
   std::vector<int> forward, backward;
-  nearestAmongGroups(with_bad, b, forward, backward);
+  GetParam().find(with_bad, b, forward, backward);
   ASSERT_EQ(forward.size(), 202u);
   for (int i = 0; i < 200; ++i) EXPECT_EQ(forward[i < 60 ? i : i + 1], nearestOf(b, a.row(i))) << i;
   for (int bad : {60, 201}) EXPECT_TRUE(forward[bad] >= 0 && forward[bad] < 150);
@@ -62,18 +73,18 @@ TEST(GroupedNearest, leaves_rows_out_that_are_no_numbers) {
     const int found = nearestOf(a, b.row(j));
     EXPECT_EQ(backward[j], found < 60 ? found : found + 1) << j;
   }
-  nearestAmongGroups(Eigen::MatrixXf::Constant(3, 3, NAN), b, forward, backward);
+  GetParam().find(Eigen::MatrixXf::Constant(3, 3, NAN), b, forward, backward);
   EXPECT_EQ(forward, std::vector<int>(3, 0));
   EXPECT_EQ(backward, std::vector<int>(150, 0));
 }
 
-TEST(GroupedNearest, takes_sets_smaller_than_a_group) {
+TEST_P(NearestRows, takesSetsSmallerThanAGroup) {
   Rng rng(9);
-  expectNearest(randomRows(1, 4, rng), randomRows(1, 4, rng));
-  expectNearest(randomRows(5, 4, rng), randomRows(100, 4, rng));
+  expectNearest(GetParam(), randomRows(1, 4, rng), randomRows(1, 4, rng));
+  expectNearest(GetParam(), randomRows(5, 4, rng), randomRows(100, 4, rng));
 }
 
-TEST(GroupedNearest, takes_the_first_of_equally_near_rows) {
+TEST_P(NearestRows, takesTheFirstOfEquallyNearRows) {
   // Small integers: all distances are exact.
   constexpr int n = 400, sites = 10;
   Eigen::MatrixXf a(n, 2), b(n, 2);
@@ -82,12 +93,18 @@ TEST(GroupedNearest, takes_the_first_of_equally_near_rows) {
     b.row(i) << static_cast<float>(i * 7 % sites), 1.0f;
   }
   std::vector<int> forward, backward;
-  nearestAmongGroups(a, b, forward, backward);
+  GetParam().find(a, b, forward, backward);
   for (int i = 0; i < n; ++i) {
     EXPECT_EQ(forward[i], i % sites * 3 % sites) << i;
     EXPECT_EQ(backward[i], i * 7 % sites) << i;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Both,
+                         NearestRows,
+                         testing::Values(Search{"amongAll", nearestBothWays},
+                                         Search{"amongGroups", nearestAmongGroups}),
+                         [](const auto& search) { return std::string(search.param.name); });
 
 }  // namespace
 }  // namespace posture
