@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "functional_map.h"
 
+#include <posture/core/parallel.h>
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -24,12 +26,22 @@ Block solve(Block normal, const Block& right) {
 FunctionalMaps fitFunctionalMaps(const FunctionValues& a, const FunctionValues& b) {
   const Block weighted_b = a.weight.asDiagonal() * b.on_other;
   const Block weighted_a = b.weight.asDiagonal() * a.on_other;
-  Block normal_a = a.gram, normal_b = b.gram;
-  normal_a.noalias() += a.on_other.transpose() * weighted_a;
-  normal_b.noalias() += b.on_other.transpose() * weighted_b;
-  Block cross = a.own.transpose() * weighted_b;
-  cross.noalias() += weighted_a.transpose() * b.own;
-  return {solve(std::move(normal_a), cross), solve(std::move(normal_b), cross.transpose())};
+  Block normal_a = a.gram, normal_b = b.gram, cross;
+  parallelFor(2, [&](int half) {
+    if (half == 0) {
+      normal_a.noalias() += a.on_other.transpose() * weighted_a;
+      normal_b.noalias() += b.on_other.transpose() * weighted_b;
+    } else {
+      cross.noalias() = a.own.transpose() * weighted_b;
+      cross.noalias() += weighted_a.transpose() * b.own;
+    }
+  });
+  FunctionalMaps maps;
+  parallelFor(2, [&](int way) {
+    if (way == 0) maps.ab = solve(std::move(normal_a), cross);
+    if (way == 1) maps.ba = solve(std::move(normal_b), cross.transpose());
+  });
+  return maps;
 }
 
 FunctionalMaps fitFunctionalMaps(const SpectralSurface& a,

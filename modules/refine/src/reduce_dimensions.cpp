@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reduce_dimensions.h"
 
+#include <posture/core/parallel.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -19,8 +21,10 @@ void reduceDimensions(Eigen::MatrixXf& a, Eigen::MatrixXf& b, int dimensions) {
   const Eigen::MatrixXf covariance = sample.transpose() * sample;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXf> solver(covariance);
   const Eigen::MatrixXf leading = solver.eigenvectors().rightCols(dimensions);
-  a = (a * leading).eval();
-  b = (b * leading).eval();
+  parallelFor(2, [&](int side) {
+    Eigen::MatrixXf& m = side == 0 ? a : b;
+    m = (m * leading).eval();
+  });
 }
 
 }  // namespace posture

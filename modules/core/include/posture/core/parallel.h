@@ -9,9 +9,11 @@
 namespace posture {
 
 /// Calls body(0) .. body(count - 1), spread over the threads; the calls must not share what they
-/// write. Of the exceptions thrown, the one of the lowest number is thrown on.
+/// write. Of the exceptions thrown, the one of the lowest number is thrown on. A single call has
+/// all threads for itself; loops within several have one each.
 template <class Body>
 void parallelFor(int count, const Body& body) {
+  if (count == 1) return body(0);
   std::vector<std::exception_ptr> failures(count);
 #pragma omp parallel for schedule(dynamic, 1)
   for (int i = 0; i < count; ++i) {
