@@ -242,6 +242,13 @@ TEST(Arap, isFiniteWhereNothingPullsAndNothingHolds) {
   }
 }
 
+TEST(Arap, saysSoWhereNothingTellsAPlace) {
+  TriangleMesh mesh = test::sphere(1);
+  mesh.vertices.conservativeResize(mesh.vertices.rows() + 1, 3);
+  mesh.vertices.bottomRows(1).setZero();  // in no face
+  EXPECT_THROW(Bendable(mesh).arap.attract(0), TornSurface);
+}
+
 TEST(Arap, refusesSizesThatDoNotFit) {
   const TriangleMesh sphere = test::sphere(1);
   EXPECT_THROW(Arap(sphere, cotangentLaplacian(test::sphere(0))), std::invalid_argument);

@@ -214,7 +214,7 @@ Arap::Attraction Arap::attract(double softness,
       bent.rows() > 0 ? impl_->cellStiffness(impl_->order * bent) : Vector::Ones(impl_->vertices());
   attraction->factors.compute(impl_->system(attraction->stiffness, attraction->strength));
   if (attraction->factors.info() != Eigen::Success)
-    throw std::runtime_error("a surface is too torn to be bent");
+    throw TornSurface("a surface is too torn to be bent");
   return Attraction(std::move(attraction));
 }
 

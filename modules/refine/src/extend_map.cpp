@@ -8,7 +8,6 @@
 
 #include "lay_anew.h"
 #include <limits>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -225,7 +224,7 @@ ScoredPair extendMap(const SpectralSurface& a,
     if (mappedArea(a, b, drawn) > mappedArea(a, b, pair) &&
         drawn_score.total() < score.total() + FAR_WORSE)
       return {std::move(drawn), drawn_score};
-  } catch (const std::runtime_error&) {  // too torn to be bent
+  } catch (const TornSurface&) {
   }
   return {std::move(pair), score};
 }

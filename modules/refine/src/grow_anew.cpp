@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 namespace posture {
@@ -142,7 +141,7 @@ std::vector<ScoredPair> growAnew(const SpectralSurface& a,
       takeUpAgain(a, b, best, softness, grown);
       const MapScore score = scoreBent(a, b, grown, false);
       if (score.let_go <= MOST_LET_GO) tried[i] = ScoredPair{std::move(grown), score};
-    } catch (const std::runtime_error&) {  // nothing that is kept has a counterpart
+    } catch (const TornSurface&) {  // nothing that is kept has a counterpart
     }
   });
   std::vector<ScoredPair> grown;

@@ -14,7 +14,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 namespace posture {
@@ -277,7 +276,7 @@ std::vector<Trial> trials(const LimbPair& limb, const std::vector<LimbTurn>& tur
     try {
       trial.limb = limb.settled(trial.turn);
       trial.misfit = limb.misfit(trial.limb);
-    } catch (const std::runtime_error&) {  // a crumb of the limb that nothing holds
+    } catch (const TornSurface&) {  // a crumb of the limb that nothing holds
       trial.misfit = std::numeric_limits<double>::infinity();
     }
   });

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 namespace posture {
@@ -115,7 +114,7 @@ std::vector<Lying> endsTurned(const LimbPair& limb,
       limb.putInto(limb.annealed({END_ANGLES[k], TURNED_WHOLE, joint}), laid[k].whole);
       const double misfit = end.misfit(laid[k].whole);
       if (std::isfinite(misfit)) laid[k].misfit = misfit;
-    } catch (const std::runtime_error&) {  // a crumb of the limb that nothing holds
+    } catch (const TornSurface&) {  // a crumb of the limb that nothing holds
     }
   });
   return laid;
@@ -213,7 +212,7 @@ bool refitLimbEnd(
     try {
       Lying fitting = laidAsItFits(a, b, tip, softness, end, pair);
       if (fitting < best) best = std::move(fitting);
-    } catch (const std::runtime_error&) {  // a crumb of the limb that nothing holds
+    } catch (const TornSurface&) {  // a crumb of the limb that nothing holds
     }
   }
   if (!(best.misfit < good && best.misfit < FITS_NOWHERE)) return false;

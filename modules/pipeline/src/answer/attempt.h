@@ -16,7 +16,7 @@ struct Attempt {
   std::function<RegistrationResult()> finish;  ///< empty: `found` is all there is
 };
 
-/// \throws std::runtime_error  a surface cannot be bent (Arap)
+/// \throws TornSurface  a surface cannot be bent
 RegistrationResult finished(Attempt attempt);
 
 /// The attempt with what `change` makes of its result, before and after it is finished.

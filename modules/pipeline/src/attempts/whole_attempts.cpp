@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "attempts/whole_attempts.h"
 
+#include <posture/deformation/arap.h>
 #include <posture/refine/map_score.h>
 
 #include "answer/shared_verdict.h"
@@ -9,7 +10,6 @@
 #include "attempts/leave_out_patches.h"
 #include "refined/refined_method.h"
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -72,7 +72,7 @@ Attempt betterOf(const BegunAttempt& whole,
   if (other && other->found.chosen < 0) other.reset();  // it has no map
   if (!as_given_first && !(isConvincing(other) && isDecisive(cut.score, whole.score)))
     goOnAsGiven();
-  if (!as_given && !other) throw std::runtime_error("neither surface can be bent onto the other");
+  if (!as_given && !other) throw TornSurface("neither surface can be bent onto the other");
   if (as_given &&
       (!other || (as_given->found.chosen >= 0 &&
                   scoreApartFromHands(*other) > scoreApartFromHands(*as_given) - SCORE_NOISE)))
@@ -127,7 +127,7 @@ Attempt patchedAttempt(const GivenShape& source,
   std::optional<Attempt> as_cut = clock.tryTo([&] { return attempt(cut); }), other;
   if (uncut && !(as_cut && looksAlike(as_cut->found)))
     other = clock.tryAttempt("patched-uncut", 0, [&] { return attempt(uncut()); });
-  if (!as_cut && !other) throw std::runtime_error("no surface can be bent with its holes closed");
+  if (!as_cut && !other) throw TornSurface("no surface can be bent with its holes closed");
   const bool is_better = other && other->found.chosen >= 0 &&
                          (!as_cut || as_cut->found.chosen < 0 ||
                           scoreApartFromHands(*other) < scoreApartFromHands(*as_cut) - SCORE_NOISE);

@@ -20,7 +20,7 @@ namespace posture {
 /// vary, and gives way to the other where it cannot be finished.
 ///
 /// \param known  see BegunAttempt::goOn.
-/// \throws std::runtime_error  neither surface can be bent
+/// \throws TornSurface  neither surface can be bent
 Attempt betterOf(const BegunAttempt& whole,
                  const BegunAttempt& cut,
                  const RegistrationResult* known,
@@ -29,7 +29,7 @@ Attempt betterOf(const BegunAttempt& whole,
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted.
 /// \param known  see BegunAttempt::goOn.
 /// \return  nothing where there is no contact and the known answer stands.
-/// \throws std::runtime_error  a surface cannot be bent, as given nor parted
+/// \throws TornSurface  a surface cannot be bent, as given nor parted
 std::optional<Attempt> wholeAttempt(const GivenShape& source,
                                     const GivenShape& target,
                                     const PartedSides& parted,
@@ -49,7 +49,7 @@ struct PatchedSides {
 /// \param uncut  makes these; empty where there is no contact. What it returns outlives the
 /// attempt,
 ///               as `cut` does.
-/// \throws std::runtime_error  no surface can be bent
+/// \throws TornSurface  no surface can be bent
 Attempt patchedAttempt(const GivenShape& source,
                        const GivenShape& target,
                        const PatchedSides& cut,

@@ -42,7 +42,7 @@ Attempt refinedMethod(const GivenShape& source,
 /// An answer found with a part of a side, extended over both as far as they lie on each other. Its
 /// score is MapScore::totalOfPiece() of that map, and what it pays for hands on the other side.
 /// \param known  finished, in the numbering of both inputs.
-/// \throws std::runtime_error  a surface cannot be bent (Arap), or the answer maps too little
+/// \throws TornSurface  a surface cannot be bent; std::runtime_error  the answer maps too little
 Attempt extendedAnswer(const GivenShape& source,
                        const GivenShape& target,
                        const RegistrationResult& known,

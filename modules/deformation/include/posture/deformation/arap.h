@@ -6,9 +6,16 @@
 #include <posture/spectral/laplacian.h>
 
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 namespace posture {
+
+/// A surface is torn to shreds: parts of it that nothing holds leave where it lies undetermined.
+class TornSurface : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Deformation of a surface as rigid as possible around each vertex (Sorkine and Alexa 2007), drawn
 /// towards a place for each vertex:
@@ -45,7 +52,7 @@ class Arap {
   ///        strained already, as bodies do at their joints, and stays stiffer elsewhere. Empty:
   ///        equally stiff everywhere.
   /// \throws std::invalid_argument  numbers of vertices differ.
-  /// \throws std::runtime_error  the system cannot be solved: the surface is torn to shreds.
+  /// \throws TornSurface  the system cannot be solved.
   Attraction attract(double softness, const Vector& confidence = {}, const Points& bent = {}) const;
 
   /// Alternates rotations and places from `start`: n x 3.

@@ -13,7 +13,6 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 namespace posture {
@@ -109,7 +108,7 @@ template <class Work>
 auto ifBendable(const Work& work) -> std::optional<decltype(work())> {
   try {
     return work();
-  } catch (const std::runtime_error&) {
+  } catch (const TornSurface&) {
     return std::nullopt;
   }
 }
@@ -254,7 +253,7 @@ std::vector<Finalist> withTurned(const SpectralSurface& source,
       settle(source, target, softness, SETTLING_ROUNDS, pair);
       const MapScore score = scoreBent(source, target, pair, false);
       settled[i] = Changed{composed_ones[i], std::move(pair), score, false};
-    } catch (const std::runtime_error&) {  // too torn to be bent
+    } catch (const TornSurface&) {
     }
   });
   std::vector<Changed> turned;

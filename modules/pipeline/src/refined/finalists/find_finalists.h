@@ -21,7 +21,7 @@ struct CoarseSides {
 /// The bending stage: maps between the coarse surfaces that keep the outside out, by increasing
 /// score.
 /// \param pool  sample maps, by increasing distortion.
-/// \throws std::runtime_error  a surface cannot be bent (Arap)
+/// \throws TornSurface  a surface cannot be bent
 std::vector<Finalist> bentFinalists(const CoarseSides& sides,
                                     const std::vector<SampleMap>& pool,
                                     StageClock& clock);
@@ -37,7 +37,7 @@ struct KnownAnswer {
 /// \param may_lack  whether a side may lack a part that the other one has.
 /// \return  maps between the coarse surfaces, by increasing score; none: the known answer stands
 ///
-/// \throws std::runtime_error  a surface cannot be bent (Arap)
+/// \throws TornSurface  a surface cannot be bent
 std::optional<std::vector<Finalist>> findFinalists(const CoarseSides& sides,
                                                    std::vector<Finalist> finalists,
                                                    bool may_lack,

@@ -11,7 +11,6 @@
 #include "refined/refinement/judge_by_ends.h"
 #include "refined/refinement/work_surfaces.h"
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace posture {
@@ -137,7 +136,7 @@ void changeUnlessTorn(RefinedMap& map, const Change& change) {
     RefinedMap changed = map;
     change(changed);
     map = std::move(changed);
-  } catch (const std::runtime_error&) {
+  } catch (const TornSurface&) {
   }
 }
 

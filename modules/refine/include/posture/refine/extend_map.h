@@ -17,7 +17,7 @@ namespace posture {
 /// \pre  any prefix of a surface's vertices is spread evenly (as reduceMesh() orders them), and
 ///       both are in a unit of about the square root of their area.
 /// \param softness  as for anneal().
-/// \throws std::runtime_error  a surface is too torn to be bent
+/// \throws TornSurface  a surface is too torn to be bent
 ScoredPair extendMap(const SpectralSurface& a,
                      const SpectralSurface& b,
                      double softness,

@@ -59,7 +59,7 @@ void settleSoftening(const BendableSurface& a,
 ///
 /// \param softness  nearly that which surfaces show: they yield to pulls 1.8 times as long.
 ///
-/// \throws std::runtime_error  nothing holds a part of a surface; settle() as well
+/// \throws TornSurface  nothing holds a part of a surface; settle() as well
 void polish(const BendableSurface& a,
             const BendableSurface& b,
             double softness,
