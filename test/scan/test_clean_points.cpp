@@ -1,19 +1,24 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/mesh/half_edge_mesh.h>
+#include <posture/mesh/handles.h>
 #include <posture/mesh/normals.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "clean/clean_points.h"
 #include "clean/cleanness.h"
 #include "scan_shapes.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
 namespace posture {
 namespace {
+
+using Eigen::Vector3d;
 
 struct Found {
   std::optional<PointSurface> surface;
@@ -121,6 +126,41 @@ TEST(CleanPoints, ReachAsFarAlongALimbAsItsPointsLieApart) {
   EXPECT_EQ(pointsOn(*found.surface), points.rows());
   EXPECT_EQ(found.summary.components, 2);
   EXPECT_EQ(found.summary.boundary_loops, 0);
+}
+
+/// Points a unit apart on a board on two legs, which are four wide, eight high and three apart.
+Points onTwoLegs() {
+  const std::array<Eigen::AlignedBox3d, 3> boxes{{{Vector3d(0, 0, 0), Vector3d(4, 4, 8)},
+                                                  {Vector3d(7, 0, 0), Vector3d(11, 4, 8)},
+                                                  {Vector3d(0, 0, 8), Vector3d(11, 4, 12)}}};
+  const auto isIn = [&](const Vector3d& p) {
+    return std::any_of(
+        boxes.begin(), boxes.end(), [&](const auto& box) { return box.contains(p); });
+  };
+  std::vector<Vector3d> on;
+  for (int x = 0; x <= 11; ++x)
+    for (int y = 0; y <= 4; ++y)
+      for (int z = 0; z <= 12; ++z) {
+        int around = 0;
+        for (int octant = 0; octant < 8; ++octant)
+          around +=
+              isIn(Vector3d(x, y, z) +
+                   0.1 * Vector3d(octant & 1 ? 1 : -1, octant & 2 ? 1 : -1, octant & 4 ? 1 : -1));
+        if (around > 0 && around < 8) on.emplace_back(x, y, z);
+      }
+  Points points(on.size(), 3);
+  for (std::size_t i = 0; i < on.size(); ++i) points.row(static_cast<Eigen::Index>(i)) = on[i];
+  return points;
+}
+
+TEST(CleanPoints, MakeNoHandleAcrossAGap) {
+  const Points points = onTwoLegs();
+  const Found found = find(points);
+  ASSERT_TRUE(found.surface);
+  expectManifold(found.surface->mesh);
+  EXPECT_EQ(Handles(found.surface->mesh).count(), 0);
+  EXPECT_EQ(found.summary.components, 1);
+  EXPECT_GT(pointsOn(*found.surface), 0.97 * static_cast<double>(points.rows()));
 }
 
 TEST(CleanPoints, KeepSheetsApartThatAreNearlyAsCloseAsTheirPoints) {

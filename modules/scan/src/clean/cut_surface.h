@@ -16,7 +16,7 @@ struct PointSurface {
 
 /// The faces between inside and outside, manifold and oriented: where sheets touch in an edge or a
 /// point, each has its own vertices there. Faces longer than the reach of their corners are left
-/// out.
+/// out, and those nearly as long that make a handle: a bridge between two limbs.
 PointSurface cutSurface(const Points& points,
                         const Tetrahedra& tetrahedra,
                         const std::vector<char>& inside,
