@@ -55,12 +55,13 @@ void judgeErrors(const BenchmarkPair& pair,
   const TargetMetric metric(target.mesh());
   const std::vector<SurfacePoint> map = target.onMesh(result.correspondence.on_target);
   const std::vector<VertexPair> truth = target.onMesh(data.truth);
-  json["errors"] = toJson(measureErrors(metric, atVertices(map), truth));
+  const std::vector<SurfacePoint> at_vertices = atVertices(map);
+  json["errors"] = toJson(measureErrors(metric, at_vertices, truth));
   json["subvertex_mean_x100"] = 100 * mean(measureErrors(metric, map, truth).relative_error);
   json["candidates"] = judgeCandidates(metric, target, truth, result);
   if (!data.mirror_truth.empty())
     json["mirror"] =
-        toJson(compareWithMirror(metric, map, truth, target.onMesh(data.mirror_truth)));
+        toJson(compareWithMirror(metric, at_vertices, truth, target.onMesh(data.mirror_truth)));
 }
 
 void judgeFit(const PairData& data, const RegistrationResult& result, Json& json) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/evaluation/statistics.h>
 #include <posture/evaluation/truth.h>
 #include <posture/io/correspondence_io.h>
 #include <posture/io/shape_io.h>
@@ -10,6 +11,7 @@
 #include "error_json.h"
 #include "error_plots.h"
 #include "folder.h"
+#include "pair_data.h"
 #include "target_places.h"
 #include "verbs.h"
 #include <algorithm>
@@ -61,11 +63,13 @@ Json measure(const EvaluateOptions& options) {
   const TargetPlaces places = ofTarget(
       options, [&] { return TargetPlaces(target, options.surface, options.surface_vertices, {}); });
   const TargetMetric metric = ofTarget(options, [&] { return TargetMetric(places.mesh()); });
-  const std::vector<SurfacePoint> placed = places.onMesh(map);
+  const std::vector<SurfacePoint> placed = places.onMesh(map), at_vertices = atVertices(placed);
   const std::vector<VertexPair> pairs = places.onMesh(truth);
-  Json json = toJson(measureErrors(metric, placed, pairs));
+  Json json = toJson(measureErrors(metric, at_vertices, pairs));
+  json["subvertex_mean_x100"] = 100 * mean(measureErrors(metric, placed, pairs).relative_error);
   if (!mirror_truth.empty())
-    json["mirror"] = toJson(compareWithMirror(metric, placed, pairs, places.onMesh(mirror_truth)));
+    json["mirror"] =
+        toJson(compareWithMirror(metric, at_vertices, pairs, places.onMesh(mirror_truth)));
   return json;
 }
 
@@ -76,6 +80,8 @@ void printFigures(const Json& json) {
               formatFixed(numberAt(json, "/median_x100"), 3).c_str());
   std::printf("95th percentile x100   %s\n",
               formatFixed(numberAt(json, "/percentile_95_x100"), 3).c_str());
+  std::printf("mean x100 in faces     %s\n",
+              formatFixed(numberAt(json, "/subvertex_mean_x100"), 3).c_str());
   for (double place : {0.01, 0.02, 0.05, 0.1, 0.25})
     std::printf("error below %-4g       %s\n", place, percent(curveAt(json, place)).c_str());
   std::printf("accepted               %d of %d (%s), %d rejected\n",

@@ -31,7 +31,7 @@ RegistrationResult registerFiles(const std::filesystem::path& source_path,
          {std::pair("source ", &source_path), std::pair("target ", &target_path)})
       if (message.rfind(side, 0) == 0)
         throw InputError(path->string() + ": " + message.substr(std::string(side).size()));
-    throw;
+    throw InputError(source_path.string() + " onto " + target_path.string() + ": " + message);
   }
 }
 

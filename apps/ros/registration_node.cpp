@@ -124,7 +124,11 @@ void RegistrationNode::registerPair(const Pair& pair) {
         publishProgress(stageTitle(event.attempt, event.stage), event.progress);
       });
   std::optional<ShapeSegments> segments;
-  if (result.status == Status::REGISTERED) segments = segmentShape(source.shape, {result});
+  try {
+    if (result.status == Status::REGISTERED) segments = segmentShape(source.shape, {result});
+  } catch (const std::exception& error) {  // what took minutes is not lost for it
+    ROS_WARN("without near-rigid parts: %s", error.what());
+  }
   const ShapeSegments* const parts = segments ? &*segments : nullptr;
 
   registered_.publish(registeredCloud(source, target, result));

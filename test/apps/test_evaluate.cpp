@@ -71,6 +71,27 @@ TEST_F(Evaluate, PrintsTheFigures) {
   EXPECT_THAT(end.out, HasSubstr("accepted               231 of 231 (100.0 %), 0 rejected\n"));
 }
 
+TEST_F(Evaluate, MeasuresAtVerticesAndBesideThatInFaces) {
+  const TriangleMesh target = test::grid(COLUMNS, ROWS, COLUMNS, ROWS);
+  Correspondence map;
+  map.on_target.resize(VERTICES);
+  map.confidence = Vector::Ones(VERTICES);
+  for (int f = 0; f < target.faces.rows(); ++f) {
+    SurfacePoint& place = map.on_target[target.faces(f, 0)];
+    place.vertex = target.faces(f, 0);
+    place.face = f;
+    place.barycentric = {0.6, 0.4, 0};
+  }
+  int mapped = 0;
+  for (const SurfacePoint& place : map.on_target) mapped += place.vertex >= 0;
+  ASSERT_GT(mapped, 100);
+  writeCorrespondence(folder_ / "between.csv", map);
+  const auto end = evaluate("between.csv", {"--truth", "identity"});
+  EXPECT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_THAT(end.out, HasSubstr("mean error x100        0.000\n"));
+  EXPECT_THAT(end.out, testing::ContainsRegex("mean x100 in faces     [2-5][.]"));
+}
+
 TEST_F(Evaluate, WritesJson) {
   const auto end = evaluate("shifted.csv",
                             {"--json", "--truth", "identity", "--mirror", folder_ / "mirror.txt"});

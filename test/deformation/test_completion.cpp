@@ -124,7 +124,6 @@ TEST(Completion, findsARigidlyMovedCopy) {
   EXPECT_NEAR(completion.scale, 7, 0.5);
   EXPECT_LT(farthestOff(completion, target), 0.15);
   EXPECT_LT(meanSquaredGap(completion.places, target), 0.01);
-  for (int v = 0; v < source.vertices.rows(); ++v) EXPECT_GE(completion.on_target[v].vertex, 0);
 }
 
 TEST(Completion, staysWhereNothingIsLeftToDo) {
@@ -169,20 +168,6 @@ TEST(Completion, isFreeOverAHoleAndFollowsItsOwnShape) {
   for (int v = 0; v < target.vertices.rows(); ++v)
     if (inHole(v)) target.vertices.row(v) = target.vertices.row(0);
   const Completion completion = completeDeformation(source, noisy(whole, 0.3), matches, target);
-  int free = 0, held = 0;
-  for (int v = 0; v < source.vertices.rows(); ++v) {
-    const double x = source.vertices.row(v).normalized().x();
-    if (x > 0.95) {
-      EXPECT_EQ(completion.on_target[v].vertex, -1);
-      ++free;
-    }
-    if (x < 0.8) {
-      EXPECT_GE(completion.on_target[v].vertex, 0);
-      ++held;
-    }
-  }
-  EXPECT_GT(free, 5);
-  EXPECT_GT(held, 400);
   EXPECT_LT(farthestOff(completion, whole), 0.6);
 }
 

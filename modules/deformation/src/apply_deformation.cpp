@@ -72,12 +72,10 @@ class FrameBlend {
   /// Calls body(i, shares) for each point, with the vertices that have a say in it.
   template <class Body>
   void forEach(const Points& points, const Body& body) const {
-    constexpr int SHARE = 1024;
-    const int count = static_cast<int>(points.rows());
-    parallelFor((count + SHARE - 1) / SHARE, [&](int part) {
+    forBlocks(static_cast<int>(points.rows()), [&](int first, int last) {
       JoinedNearby nearby(source_, neighbors_);
       std::vector<Share> shares;
-      for (int i = part * SHARE; i < std::min(count, (part + 1) * SHARE); ++i) {
+      for (int i = first; i < last; ++i) {
         collect(i, points.row(i), nearby, shares);
         body(i, shares);
       }

@@ -31,9 +31,6 @@ constexpr double ISOMETRY = 1, ENCODING = 1, SURFACE = 0.1, MATCHES = 0.06;
 /// How much stiffer the encoding is at first, so that folds of the start open.
 constexpr double FIRST_STIFFNESS = 10;
 
-/// A surface with holes that is more edges away than this is another part of it: here is a hole.
-constexpr double FARTHEST = 2;
-
 constexpr int COARSE = 5000;  // vertices
 /// How often places are looked for; fewer after a coarse level.
 constexpr int FULL_ROUNDS = 6, FINE_ROUNDS = 2;
@@ -91,17 +88,6 @@ class Level {
   }
 
   const Points& places() const { return places_; }
-
-  std::vector<SurfacePoint> findOnTarget() {
-    findPlaces();
-    std::vector<SurfacePoint> found(on_target_.size());
-    for (std::size_t v = 0; v < found.size(); ++v)
-      if (!on_target_[v].beyond_rim &&
-          (!target_.hasBoundary() ||
-           (on_target_[v].place - Vector3d(places_.row(static_cast<int>(v)))).norm() < FARTHEST))
-        found[v] = on_target_[v].at;
-    return found;
-  }
 
  private:
   struct StiffEdge {
@@ -272,7 +258,6 @@ Completion completeDeformation(const TriangleMesh& source,
   }
   Level level(rest, std::move(places), std::move(known), surface);
   level.settle(coarse_first ? FINE_ROUNDS : FULL_ROUNDS);
-  completion.on_target = level.findOnTarget();
   completion.places = (unit * level.places()).rowwise() + centre;
   return completion;
 }

@@ -19,7 +19,6 @@ TargetSurface::TargetSurface(const TriangleMesh& mesh)
       normals_(vertexNormals(mesh)),
       neighbors_(mesh.faces, static_cast<int>(mesh.vertices.rows())),
       on_boundary_(boundaryVertices(mesh.faces, static_cast<int>(mesh.vertices.rows()))),
-      has_boundary_(std::find(on_boundary_.begin(), on_boundary_.end(), 1) != on_boundary_.end()),
       faces_at_(mesh.faces, static_cast<int>(mesh.vertices.rows())),
       across_(facesAcross(mesh.faces)),
       index_(mesh.vertices) {}

@@ -26,7 +26,6 @@ class TargetSurface {
 
   double edge() const { return edge_; }  ///< mean length
   bool onBoundary(int vertex) const { return on_boundary_[vertex] != 0; }
-  bool hasBoundary() const { return has_boundary_; }
 
   int nearestVertex(const Eigen::Vector3d& point) const { return index_.nearest(point).index; }
 
@@ -44,7 +43,6 @@ class TargetSurface {
   Points normals_;
   VertexNeighbors neighbors_;
   std::vector<char> on_boundary_;
-  bool has_boundary_;
   VertexFaces faces_at_;
   Faces across_;
   PointIndex index_;

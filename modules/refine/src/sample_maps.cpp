@@ -127,7 +127,6 @@ std::vector<SampleMap> refineAll(const SampledShape& a,
 
 /// Fewer samples do while the basis is small.
 constexpr int COARSE_SAMPLES = 200;
-constexpr int LARGEST_BASIS = 36;
 
 std::vector<SampleMap> seededMaps(const SampledShape& a, const SampledShape& b, int most) {
   const int s =
@@ -143,9 +142,9 @@ std::vector<SampleMap> seededMaps(const SampledShape& a, const SampledShape& b, 
     low.push_back({nearestMap(turned, coarse_b.functions.middleCols(1, 3)), range(4, 16, 2)});
   std::vector<SampleMap> starts = distinct(refineAll(coarse_a, coarse_b, low), coarse_b, most);
   for (const SampleMap& map : starts)
-    high.push_back({extend(map, a, b), range(20, LARGEST_BASIS, 4)});
+    high.push_back({extend(map, a, b), range(20, SAMPLE_BASIS, 4)});
   for (const Block& turned : signedOrders(a.form.cast<float>()))
-    high.push_back({nearestMap(turned, b.form.cast<float>()), range(28, LARGEST_BASIS, 4)});
+    high.push_back({nearestMap(turned, b.form.cast<float>()), range(28, SAMPLE_BASIS, 4)});
   return distinct(refineAll(a, b, high), b, most);
 }
 
@@ -191,7 +190,7 @@ std::vector<SampleMap> poolOfMaps(const SampledShape& a, const SampledShape& b, 
   std::vector<SampleMap> pool = seededMaps(a, b, most);
   const std::vector<SampleMap> of_a = symmetries(a, SYMMETRIES), of_b = symmetries(b, SYMMETRIES);
   std::vector<Seed> seeds;
-  const std::vector<int> sizes = range(28, LARGEST_BASIS, 4);
+  const std::vector<int> sizes = range(28, SAMPLE_BASIS, 4);
   for (int i = 0; i < std::min<int>(BEST, static_cast<int>(pool.size())); ++i) {
     for (const SampleMap& own : of_a) seeds.push_back({composed(own, pool[i]), sizes});
     for (const SampleMap& own : of_b) seeds.push_back({composed(pool[i], own), sizes});

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <posture/core/error.h>
 #include <posture/core/types.h>
 #include <posture/spectral/laplacian.h>
 
 #include <memory>
-#include <stdexcept>
 #include <vector>
 
 namespace posture {
 
 /// A surface is torn to shreds: parts of it that nothing holds leave where it lies undetermined.
-class TornSurface : public std::runtime_error {
+class TornSurface : public InputError {
  public:
-  using std::runtime_error::runtime_error;
+  using InputError::InputError;
 };
 
 /// Deformation of a surface as rigid as possible around each vertex (Sorkine and Alexa 2007), drawn

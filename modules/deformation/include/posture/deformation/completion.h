@@ -11,10 +11,7 @@ namespace posture {
 
 /// A whole source, deformed onto its target.
 struct Completion {
-  Points places;  ///< n x 3, in the target's frame and unit
-  /// n, where each vertex lies on the target; vertex -1: the target has a hole there, and the place
-  /// is where the source's own shape puts it.
-  std::vector<SurfacePoint> on_target;
+  Points places;     ///< n x 3, in the target's frame and unit
   double scale = 1;  ///< a source length times this is a target length
 };
 

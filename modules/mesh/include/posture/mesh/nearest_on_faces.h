@@ -52,7 +52,7 @@ inline void lookAround(const Points& vertices,
     lookInFace(vertices, faces, *f, point, best);
 }
 
-/// Of a face the corner nearest to a place in it; of equals the first.
+/// The corner that counts most of a place in a face; of equals the first.
 inline int largestCorner(const Eigen::Vector3d& barycentric) {
   int corner = 0;
   barycentric.maxCoeff(&corner);

@@ -18,9 +18,6 @@ constexpr int MOST_FINALISTS = 8, MOST_LAID = 4;
 /// So many are bent further, so often at most.
 constexpr int BENT_FURTHER = 16, MOST_FURTHER = 4;
 
-/// Where the sample maps end.
-constexpr int CANDIDATE_BASIS = 36;
-
 /// The low start mends limbs turned inside out, the high one keeps those a low one would twist.
 const std::vector<std::vector<int>>& starts() {
   static const std::vector<std::vector<int>> sizes{{12, 24, 36, 48, FINALIST_BASIS},
@@ -78,12 +75,8 @@ std::vector<Finalist> registerFinalists(const SpectralSurface& source,
   std::vector<Finalist> candidates(pool.size());
   parallelFor(static_cast<int>(pool.size()), [&](int i) {
     Finalist& candidate = candidates[i];
-    candidate.maps = spreadToVertices(source,
-                                      target,
-                                      source_samples.functions,
-                                      target_samples.functions,
-                                      pool[i],
-                                      CANDIDATE_BASIS);
+    candidate.maps = spreadToVertices(
+        source, target, source_samples.functions, target_samples.functions, pool[i], SAMPLE_BASIS);
     candidate.orientation = orientation(source, target, candidate.maps);
   });
   std::vector<Finalist> finalists;

@@ -54,8 +54,9 @@ void addSamples(const std::string& side, RefinedShape& shape);
 /// The shape with every length multiplied.
 RefinedShape rescaled(RefinedShape shape, double scale);
 
-/// The ratio of distances on b to those on a, the median over pairs of samples whose paths meet no
-/// hole. \param map  any map that keeps distances, mirrored or not.
+/// The ratio of distances on b to those on a: the median over pairs of samples, each counted by the
+/// confidence in both distances, little where paths meet a hole. \param map  any map that keeps
+/// distances, mirrored or not.
 double distanceRatio(const SampledShape& a, const SampledShape& b, const SampleMap& map);
 
 }  // namespace posture

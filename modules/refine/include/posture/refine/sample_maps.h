@@ -37,6 +37,9 @@ Map composed(const Map& first, const Map& second) {
 /// confidence of both its distances; relative to the mean distance.
 double distortion(const SampledShape& a, const SampledShape& b, const SampleMap& map);
 
+/// Functions by which candidates are matched in the end; maps of vertices go on from there.
+constexpr int SAMPLE_BASIS = 36;
+
 /// Bijective ZoomOut (Melzi et al. 2019; Ren et al. 2021) on the samples: for each size of basis in
 /// turn, the functional maps of both directions, then nearest neighbours in their joint embedding.
 void zoomOut(const SampledShape& a,
