@@ -37,10 +37,13 @@ ChildRun childRun(const BenchmarkPair& pair,
                   const Common& common) {
   ChildRun run;
   run.result_file = options.folder / "pairs" / (pair.id + ".json");
-  run.arguments = {"benchmark-pair", options.list.string(), pair.id, run.result_file.string()};
+  run.arguments = {"benchmark-pair"};
   if (options.paper) run.arguments.emplace_back("--paper");
   if (common.threads > 0)
     run.arguments.insert(run.arguments.end(), {"--threads", std::to_string(common.threads)});
+  // An id may begin with a dash.
+  run.arguments.insert(run.arguments.end(),
+                       {"--", options.list.string(), pair.id, run.result_file.string()});
   run.described = describePair(pair, nameOf(options.method()));
   run.time_limit = options.time_limit;
   return run;

@@ -52,7 +52,7 @@ class ToldOfChildren {
 pid_t spawnSelf(const std::vector<std::string>& arguments, std::FILE* log) {
   std::vector<std::string> words{"posture"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  words.insert(words.end(), {"--parent", std::to_string(getpid())});
+  words.insert(words.begin() + 2, {"--parent", std::to_string(getpid())});
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());

@@ -129,15 +129,17 @@ void writeFigures(const fs::path& folder, const Json& json) {
 void evaluate(const EvaluateOptions& options, const Common& common) {
   if (!options.folder.empty()) {
     makeFolder(options.folder);
+    const std::vector<std::string> files{
+        "evaluation.json", "curve.csv", "curve.svg", "histogram.svg"};
     requireNoInput(options.folder,
-                   {"evaluation.json", "curve.csv", "curve.svg", "histogram.svg"},
+                   files,
                    {options.map,
                     options.truth,
                     options.target,
                     options.mirror,
                     options.surface,
                     options.surface_vertices});
-    checkWritable(options.folder / "evaluation.json");
+    for (const std::string& file : files) checkWritable(options.folder / file);
   }
   const Json json = measure(options);
   if (!options.folder.empty()) writeFigures(options.folder, json);

@@ -8,6 +8,7 @@
 #include "folder.h"
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace posture::app {
 namespace {
@@ -21,10 +22,27 @@ Colors colorsOf(const StagePicture& picture) {
   return {};
 }
 
+/// What a run before left: files named as stages are.
+std::vector<std::filesystem::path> stagesIn(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> stages;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const auto isDigit = [&](std::size_t i) { return name[i] >= '0' && name[i] <= '9'; };
+    if (name.size() > 3 && isDigit(0) && isDigit(1) && name[2] == '-' &&
+        entry.path().extension() == ".ply" && entry.is_regular_file())
+      stages.push_back(entry.path());
+  }
+  return stages;
+}
+
 }  // namespace
 
-StageDump::StageDump(std::filesystem::path folder) : folder_(std::move(folder)) {
+StageDump::StageDump(std::filesystem::path folder, const std::vector<std::filesystem::path>& inputs)
+    : folder_(std::move(folder)) {
   makeFolder(folder_);
+  const std::vector<std::filesystem::path> before = stagesIn(folder_);
+  for (const std::filesystem::path& stage : before) requireNoInput(stage, inputs);
+  for (const std::filesystem::path& stage : before) std::filesystem::remove(stage);
 }
 
 void StageDump::write(const StageEvent& event) {

@@ -5,15 +5,16 @@
 #include <posture/pipeline/observer.h>
 
 #include <filesystem>
+#include <vector>
 
 namespace posture::app {
 
 /// Writes the pictures of every stage into a folder as PLY files, numbered in the order they came:
-/// 03-source-canonical-form.ply.
+/// 03-source-canonical-form.ply. Those of a run before are removed first.
 class StageDump {
  public:
-  /// \throws InputError  the folder cannot be made.
-  explicit StageDump(std::filesystem::path folder);
+  /// \throws InputError  the folder cannot be made, or an input is one of the stages in it.
+  StageDump(std::filesystem::path folder, const std::vector<std::filesystem::path>& inputs);
 
   void write(const StageEvent& event);
 

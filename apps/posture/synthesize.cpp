@@ -97,9 +97,9 @@ void synthesizeRigid(const SynthesizeOptions& options, const Common& common) {
   target.body = std::move(made.target);
   source.name = options.kind + "-rigid-source";
   target.name = options.kind + "-rigid-target";
+  PairList list(options.folder, false);
   const Json shapes = Json::array({writeShape(options.folder, source, common.quiet),
                                    writeShape(options.folder, target, common.quiet)});
-  PairList list(options.folder, false);
   const Json pair = list.addRigid(options.kind, source, target);
   list.write();
   if (common.json) std::cout << documentText({{"shapes", shapes}, {"pairs", Json::array({pair})}});

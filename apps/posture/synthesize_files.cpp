@@ -44,6 +44,11 @@ std::vector<VertexPair> surfaceVertices(const SimulatedScan& scan) {
 
 }  // namespace
 
+PairList::PairList(std::filesystem::path folder, bool scans)
+    : folder_(std::move(folder)), scans_(scans) {
+  fs::remove(folder_ / "pairs.csv");
+}
+
 Json PairList::add(const std::string& family,
                    const SynthesizedShape& source,
                    const SynthesizedShape& target) {

@@ -41,8 +41,10 @@ Json describeBones(const ArticulatedBody& body);
 /// as JSON.
 class PairList {
  public:
+  /// Removes the list of a run before, whose meshes are about to be replaced.
+  ///
   /// \param scans  whether there are any.
-  PairList(std::filesystem::path folder, bool scans) : folder_(std::move(folder)), scans_(scans) {}
+  PairList(std::filesystem::path folder, bool scans);
 
   Json add(const std::string& family,
            const SynthesizedShape& source,

@@ -107,6 +107,14 @@ TEST_F(Benchmark, OneBadPairDoesNotEndTheList) {
     EXPECT_EQ(entry.path().extension(), ".json");  // no logs, no half-written files
 }
 
+TEST_F(Benchmark, AnIdMayLookLikeAnOption) {
+  std::ofstream(folder_ / "pairs.csv") << "id,source,target\n-h,m/flat.off,m/bent.off\n";
+  const auto end = published({"--json", "-q"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_EQ(json::parse(end.out)["pairs"].size(), 1U);
+  EXPECT_THAT(result("-h")["status"], testing::AnyOf("registered", "undecided"));
+}
+
 TEST_F(Benchmark, TheRefinedMethodIsTheDefault) {
   const auto end = benchmark({"--pair", "good"});
   ASSERT_EQ(end.exit_code, 0) << end.err;

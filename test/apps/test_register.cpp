@@ -78,6 +78,9 @@ class Register : public testing::Test {
     fs::create_directory(at("two"));
     for (const char* file : {"two/alternative-7.csv", "two/correspondence_back.csv"})
       std::ofstream(at(file)) << "of a run before\n";
+    fs::create_directory(at("dump"));
+    for (const char* file : {"dump/77-candidate-9-target.ply", "dump/2 mine.ply"})
+      std::ofstream(at(file)) << "of a run before, and the user's own\n";
     two_threads_ = registerShapes({at("source.ply"),
                                    at("target.off"),
                                    "-o",
@@ -186,7 +189,21 @@ TEST_F(Register, oneThreadAndTwoGiveTheSameBytes) {
   EXPECT_EQ(page_one, page_two);
 }
 
-TEST_F(Register, dumpsMeshesOfEveryStage) {
+TEST_F(Register, doesNotDumpOverAnInput) {
+  fs::create_directory(at("stages"));
+  const std::string stage = at("stages/01-target-main-surface.ply");
+  writeMesh(stage, body(1));
+  const std::string before = test::bytesOf(stage);
+  const ProgramRun end =
+      registerShapes({at("source.ply"), stage, "-o", at("none"), "--dump", at("stages")});
+  EXPECT_EQ(end.exit_code, 3);
+  EXPECT_THAT(end.err, HasSubstr(stage + ": would be written over by the output"));
+  EXPECT_EQ(test::bytesOf(stage), before);
+}
+
+TEST_F(Register, dumpsMeshesOfEveryStageInPlaceOfThoseOfARunBefore) {
+  EXPECT_FALSE(fs::exists(at("dump/77-candidate-9-target.ply")));
+  EXPECT_TRUE(fs::remove(at("dump/2 mine.ply")));
   const auto files = filesIn(at("dump"));
   std::set<std::string> names;
   for (const fs::path& file : files) names.insert(file.stem().string().substr(3));

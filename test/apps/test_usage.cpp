@@ -113,6 +113,19 @@ TEST(Usage, whatCannotBeWrittenIsFoundBeforeTheWork) {
   }
 }
 
+TEST(Usage, synthesizeLeavesNoListOfOtherMeshes) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out";
+  const auto synthesize = [&](std::vector<std::string> poses) {
+    poses.insert(poses.begin(), {"synthesize", "-q", "--vertices", "1000", "-o", out, "--pose"});
+    return test::run(POSTURE, poses).exit_code;
+  };
+  ASSERT_EQ(synthesize({"0", "1"}), 0);
+  EXPECT_TRUE(std::filesystem::exists(out + "/pairs.csv"));
+  ASSERT_EQ(synthesize({"0"}), 0);
+  EXPECT_FALSE(std::filesystem::exists(out + "/pairs.csv"));
+}
+
 TEST(Usage, whatCannotBePrintedIsAnError) {
   const TemporaryFolder folder;
   const std::string command =

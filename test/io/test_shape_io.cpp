@@ -369,6 +369,8 @@ TEST(Table, badFilesAreRefusedInOneLine) {
   expect("hello\n", "line 1: 'hello' is not a number");
   expect("a,b,c\n1,2,3\n", "line 1: 'a' is not a number");
   expect("x,y,z\n1,2\n", "line 2: 2 columns where 3 are expected");
+  expect("x,y,intensity\n1,2,3\n", "line 1: columns x and y are named, and none z");
+  expect("# x y nx ny nz\n1 2 0 0 1\n", "line 2: columns x and y are named, and none z");
   expect("# nothing\n\n", "there are no points in it");
   expect("nan nan nan\n", "none of its 1 points has finite coordinates");
 }

@@ -83,6 +83,11 @@ std::optional<TableLayout> layoutOfNames(const std::vector<std::string_view>& na
   return layout;
 }
 
+bool namesLackZ(const std::vector<std::string_view>& names) {
+  return names.size() >= 2 && plainName(names[0]) == "x" && plainName(names[1]) == "y" &&
+         !layoutOfNames(names);
+}
+
 TableLayout layoutOfNumbers(const std::vector<double>& numbers, int columns) {
   TableLayout layout;
   const auto take = [&](int first) {

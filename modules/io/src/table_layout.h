@@ -22,6 +22,9 @@ struct TableLayout {
 /// The first line of a table, if it names the columns x, y and z.
 std::optional<TableLayout> layoutOfNames(const std::vector<std::string_view>& names);
 
+/// Whether a line names the columns x and y, these first, and none z.
+bool namesLackZ(const std::vector<std::string_view>& names);
+
 /// For a table without names, rows of `columns` numbers.
 TableLayout layoutOfNumbers(const std::vector<double>& numbers, int columns);
 

@@ -104,6 +104,10 @@ class TableReader {
     };
     words_.erase(std::remove_if(words_.begin(), words_.end(), is_unit), words_.end());
     const std::optional<TableLayout> layout = layoutOfNames(words_);
+    if (namesLackZ(words_)) {
+      if (!in_comment) failWithoutZ();
+      columns_without_z_ = static_cast<int>(words_.size());
+    }
     if (!layout || (layout_ && in_comment)) return false;
     layout_ = layout;
     names_in_comment_ = in_comment;
@@ -127,6 +131,7 @@ class TableReader {
     // A comment may speak of x, y and z without naming the columns.
     if (layout_ && names_in_comment_ && columns_of_names_ != count) layout_.reset();
     columns_ = layout_ ? columns_of_names_ : count;
+    if (!layout_ && columns_without_z_ == count) failWithoutZ();
     failDecimalCommas(text);
     if (layout_ || count >= 3) return;
     double ignored = 0;
@@ -158,6 +163,10 @@ class TableReader {
                       " are expected (truncated?)");
   }
 
+  [[noreturn]] void failWithoutZ() const {
+    input_.failAt(offset_, "columns x and y are named, and none z");
+  }
+
   void failDecimalCommas(std::string_view text) const {
     if (hasDecimalCommas(text))
       input_.failAt(offset_, "decimal commas cannot be read, write decimal points");
@@ -183,7 +192,7 @@ class TableReader {
   std::vector<std::string_view> words_;
   std::optional<TableLayout> layout_;
   bool names_in_comment_ = false;
-  int columns_of_names_ = 0;
+  int columns_of_names_ = 0, columns_without_z_ = 0;
   int columns_ = 0;  // 0: no row yet
   std::optional<std::int64_t> declared_;
   std::vector<double> numbers_;
