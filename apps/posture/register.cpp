@@ -59,7 +59,8 @@ void registerVerb(const RegisterOptions& options, Common& common) {
   requireNoResultFiles(options.folder, {options.source, options.target});
   checkWritable(options.folder / "report.json");  // now, not after minutes
   std::optional<StageDump> dump;
-  if (!options.dump.empty()) dump.emplace(options.dump, std::vector{options.source, options.target});
+  if (!options.dump.empty())
+    dump.emplace(options.dump, std::vector{options.source, options.target});
   RegistrationOptions registration;
   registration.method = options.paper ? Method::PAPER : Method::REFINED;
   registration.refine_alternatives = options.alternatives;

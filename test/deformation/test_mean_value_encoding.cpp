@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/error.h>
 #include <posture/deformation/mean_value_encoding.h>
 #include <posture/io/mesh_io.h>
 #include <posture/mesh/clean_mesh.h>
@@ -283,7 +284,7 @@ TEST(MeanValueEncoding, refusesWhatDoesNotDetermineAShape) {
                std::invalid_argument);
   TriangleMesh line = mesh, loose = mesh;
   line.vertices.rightCols(2).setZero();
-  EXPECT_THROW(encodeMeanValues(line), std::invalid_argument);
+  EXPECT_THROW(encodeMeanValues(line), InputError);
   loose.vertices.conservativeResize(mesh.vertices.rows() + 1, 3);
   loose.vertices.bottomRows(1) << 1, 2, 3;
   EXPECT_THROW(encodeMeanValues(loose), std::invalid_argument);
@@ -308,7 +309,7 @@ TEST(MeanValueEncoding, hasALayoutOnlyWhereAskedFor) {
 TEST(MeanValueEncoding, refusesWhatIsTooSmallToHaveAnArea) {
   TriangleMesh mesh = test::sphere(1);
   mesh.vertices *= 1e-100;  // the square of an area vanishes
-  EXPECT_THROW(encodeMeanValues(mesh), std::invalid_argument);
+  EXPECT_THROW(encodeMeanValues(mesh), InputError);
 }
 
 TEST(MeanValueEncoding, reproducesShapesOfTheBenchmark) {

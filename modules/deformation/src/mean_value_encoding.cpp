@@ -65,7 +65,7 @@ class Encoder {
     if (!weight) {
       polygon = triangleNear(v);
       weight = meanValueWeights(place(v), placesOf(polygon), true);
-      require(weight.has_value(), "encodeMeanValues: a part of the mesh is too small");
+      if (!weight) throw InputError("a part of the mesh is too small to compute with");
     }
     const std::vector<Vector3d> corners = placesOf(polygon);
     const PolygonFrame frame(corners);
@@ -91,7 +91,7 @@ class Encoder {
       const std::vector<int> others(near.begin() + 1, near.end());
       const auto [triangle, height] = widestTriangle(others);
       if (height > LEAST_HEIGHT || (!grown && height > 0)) return triangle;
-      require(grown, "encodeMeanValues: a part of the mesh lies within a line");
+      if (!grown) throw InputError("a part of the mesh lies within a line");
     }
   }
 

@@ -33,8 +33,8 @@ struct Completion {
 /// \param start    n x 3, a rough deformation onto the target: nothing here finds its way round a
 ///        body.
 /// \param matches  of the source's vertices, with faces and vertices of `target`; vertex -1: none.
-/// \throws std::invalid_argument  sizes or numbers out of range, meshes without faces, or a source
-///         that encodeMeanValues() refuses.
+/// \throws std::invalid_argument  sizes or numbers out of range, meshes without faces; as
+///         encodeMeanValues() of the source.
 Completion completeDeformation(const TriangleMesh& source,
                                const Points& start,
                                const Correspondence& matches,

@@ -50,8 +50,8 @@ struct MeanValueEncoding {
 };
 
 /// \param with_layout  as decodeMeanValues() asks for; otherwise layout stays empty.
-/// \throws std::invalid_argument  a vertex in no face, a connected part within a line, or one too
-///         small to compute with.
+/// \throws InputError  a connected part lies within a line, or is too small to compute with;
+///         std::invalid_argument  a vertex in no face.
 MeanValueEncoding encodeMeanValues(const TriangleMesh& mesh, bool with_layout = true);
 
 /// v_i minus where the encoding would have it, and how that changes with v_i (always the identity)

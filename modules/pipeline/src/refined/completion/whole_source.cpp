@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refined/completion/whole_source.h"
 
+#include <posture/core/error.h>
 #include <posture/deformation/completion.h>
 #include <posture/deformation/extend_deformation.h>
 
 #include "refined/refinement/refined_result.h"
 #include "sides/pose.h"
-#include <stdexcept>
+#include <optional>
 #include <utility>
 
 namespace posture {
@@ -89,6 +90,29 @@ Points extended(const TriangleMesh& whole,
   return extendDeformation(whole, std::move(places), inNoFace(own, whole.vertices.rows()));
 }
 
+/// None where the source has no shape to encode, all in one line, or the map leads nowhere.
+std::optional<Points> completed(const PosedSide& source,
+                                const RefinedShape& scaled,
+                                const PosedSide& target,
+                                const FullMap& map,
+                                const OnPieces& on_pieces) {
+  const TriangleMesh &whole = scaled.full, &onto = target.shape.full;
+  if (!map.pair.bent_a.allFinite()) return std::nullopt;
+  Completion completion;
+  try {
+    completion = completeDeformation(whole, map.pair.bent_a, matchesOf(whole, map), onto);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  if (!completion.places.allFinite()) return std::nullopt;
+  std::vector<char> without = withoutOwnPartner(target.given, onto.faces, map);
+  layOnPieces(source.given, scaled, target.pose, on_pieces, completion.places, without);
+  return extended({completion.scale * whole.vertices, whole.faces},
+                  withoutPatches(source.given, scaled),
+                  without,
+                  std::move(completion.places));
+}
+
 }  // namespace
 
 Points placesOfWhole(const PosedSide& source,
@@ -96,20 +120,8 @@ Points placesOfWhole(const PosedSide& source,
                      const PosedSide& target,
                      const FullMap& map,
                      const OnPieces& on_pieces) {
-  const TriangleMesh &whole = scaled.full, &onto = target.shape.full;
-  try {
-    Completion completion =
-        completeDeformation(whole, map.pair.bent_a, matchesOf(whole, map), onto);
-    if (completion.places.allFinite()) {
-      std::vector<char> without = withoutOwnPartner(target.given, onto.faces, map);
-      layOnPieces(source.given, scaled, target.pose, on_pieces, completion.places, without);
-      return extended({completion.scale * whole.vertices, whole.faces},
-                      withoutPatches(source.given, scaled),
-                      without,
-                      std::move(completion.places));
-    }
-  } catch (const std::invalid_argument&) {  // no shape to encode: all in one line
-  }
+  if (std::optional<Points> places = completed(source, scaled, target, map, on_pieces))
+    return std::move(*places);
   Points places = map.pair.bent_a;
   places(on_pieces.vertex, Eigen::all) = target.pose.into(on_pieces.places);
   return places;
