@@ -8,6 +8,7 @@
 #include <omp.h>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace posture {
@@ -39,6 +40,18 @@ TEST_F(Parallel, blocksAreTheSameWithAnyNumberOfThreads) {
   std::vector<int> expected(1000, 0);
   expected[0] = 300, expected[300] = 600, expected[600] = 900, expected[900] = 1000;
   EXPECT_EQ(ends, expected);
+}
+
+TEST_F(Parallel, loopsWithinASingleCallHaveAllThreads) {
+  for (const auto& [calls, threads] : {std::pair(1, 4), std::pair(2, 1)}) {
+    std::vector<int> within(2, 0);
+    parallelFor(calls, [&](int i) {
+      std::vector<int> seen(2, 0);
+      parallelFor(2, [&](int j) { seen[j] = omp_get_num_threads(); });
+      within[i] = *std::max_element(seen.begin(), seen.end());
+    });
+    EXPECT_EQ(within[0], threads) << calls;
+  }
 }
 
 TEST_F(Parallel, theFirstFailureIsThrownWhenAllIsDone) {
