@@ -3,10 +3,12 @@
 #include "stage_dump.h"
 
 #include <posture/io/mesh_io.h>
+#include <posture/io/text_file.h>
 #include <posture/report/colors.h>
 
 #include "folder.h"
 #include <cstdio>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -22,17 +24,21 @@ Colors colorsOf(const StagePicture& picture) {
   return {};
 }
 
-/// What a run before left: files named as stages are.
-std::vector<std::filesystem::path> stagesIn(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> stages;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    const auto isDigit = [&](std::size_t i) { return name[i] >= '0' && name[i] <= '9'; };
-    if (name.size() > 3 && isDigit(0) && isDigit(1) && name[2] == '-' &&
-        entry.path().extension() == ".ply" && entry.is_regular_file())
-      stages.push_back(entry.path());
-  }
-  return stages;
+const char* const LIST = "stages.txt";
+
+/// Whether a stage may be written under this name.
+bool isNameOfStage(const std::string& name) {
+  const auto isDigit = [&](std::size_t i) { return name[i] >= '0' && name[i] <= '9'; };
+  return name.size() > 3 && isDigit(0) && isDigit(1) && name[2] == '-';
+}
+
+/// What the list of a run before names, and nothing else, is taken away.
+void removeStages(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / LIST)) return;
+  std::istringstream list(readTextFile(folder / LIST));
+  for (std::string name; std::getline(list, name);)
+    if (isNameOfStage(name) && std::filesystem::path(name).filename() == name)
+      std::filesystem::remove(folder / name);
 }
 
 }  // namespace
@@ -40,21 +46,28 @@ std::vector<std::filesystem::path> stagesIn(const std::filesystem::path& folder)
 StageDump::StageDump(std::filesystem::path folder, const std::vector<std::filesystem::path>& inputs)
     : folder_(std::move(folder)) {
   makeFolder(folder_);
-  const std::vector<std::filesystem::path> before = stagesIn(folder_);
-  for (const std::filesystem::path& stage : before) requireNoInput(stage, inputs);
-  for (const std::filesystem::path& stage : before) std::filesystem::remove(stage);
+  for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    if (isNameOfStage(entry.path().filename().string())) requireNoInput(entry.path(), inputs);
+  removeStages(folder_);
 }
 
 void StageDump::write(const StageEvent& event) {
   if (!event.pictures) return;
   ++stages_;
-  for (const StagePicture& picture : event.pictures()) {
+  const std::vector<StagePicture> pictures = event.pictures();
+  if (pictures.empty()) return;
+  std::vector<std::string> names;
+  for (const StagePicture& picture : pictures) {
     char number[8];
     std::snprintf(number, sizeof number, "%02d-", stages_);
     std::string name = number;
     if (!event.attempt.empty()) name += std::string(event.attempt) + '-';
-    writeMesh(folder_ / (name + picture.name + ".ply"), picture.mesh, colorsOf(picture));
+    names.push_back(name + picture.name + ".ply");
+    list_ += names.back() + '\n';
   }
+  writeText(folder_ / LIST, list_);
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    writeMesh(folder_ / names[i], pictures[i].mesh, colorsOf(pictures[i]));
 }
 
 }  // namespace posture::app

@@ -5,12 +5,13 @@
 #include <posture/pipeline/observer.h>
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace posture::app {
 
 /// Writes the pictures of every stage into a folder as PLY files, numbered in the order they came:
-/// 03-source-canonical-form.ply. Those of a run before are removed first.
+/// 03-source-canonical-form.ply. stages.txt lists them: those of a run before are removed first.
 class StageDump {
  public:
   /// \throws InputError  the folder cannot be made, or an input is one of the stages in it.
@@ -20,6 +21,7 @@ class StageDump {
 
  private:
   std::filesystem::path folder_;
+  std::string list_;  ///< of the files so far, a line each
   int stages_ = 0;
 };
 

@@ -79,8 +79,9 @@ class Register : public testing::Test {
     for (const char* file : {"two/alternative-7.csv", "two/correspondence_back.csv"})
       std::ofstream(at(file)) << "of a run before\n";
     fs::create_directory(at("dump"));
-    for (const char* file : {"dump/77-candidate-9-target.ply", "dump/2 mine.ply"})
+    for (const char* file : {"dump/77-candidate-9-target.ply", "dump/78-mine.ply"})
       std::ofstream(at(file)) << "of a run before, and the user's own\n";
+    std::ofstream(at("dump/stages.txt")) << "77-candidate-9-target.ply\n";
     two_threads_ = registerShapes({at("source.ply"),
                                    at("target.off"),
                                    "-o",
@@ -203,8 +204,14 @@ TEST_F(Register, doesNotDumpOverAnInput) {
 
 TEST_F(Register, dumpsMeshesOfEveryStageInPlaceOfThoseOfARunBefore) {
   EXPECT_FALSE(fs::exists(at("dump/77-candidate-9-target.ply")));
-  EXPECT_TRUE(fs::remove(at("dump/2 mine.ply")));
+  EXPECT_TRUE(fs::remove(at("dump/78-mine.ply")));
+  std::istringstream list(test::bytesOf(at("dump/stages.txt")));
+  std::set<std::string> listed;
+  for (std::string name; std::getline(list, name);) listed.insert(name);
+  EXPECT_TRUE(fs::remove(at("dump/stages.txt")));
   const auto files = filesIn(at("dump"));
+  for (const fs::path& file : files) EXPECT_EQ(listed.count(file.filename().string()), 1u) << file;
+  EXPECT_EQ(listed.size(), files.size());
   std::set<std::string> names;
   for (const fs::path& file : files) names.insert(file.stem().string().substr(3));
   for (const char* name : {"source-main-surface",
@@ -276,6 +283,7 @@ TEST_F(Register, anInterruptedRunLeavesWholeFilesOnly) {
         [&] { return filesIn(dump).size() > 2; });
     EXPECT_EQ(ended.exit_code, 128 + signal) << ended.err;
     EXPECT_TRUE(filesIn(at(name)).empty());
+    EXPECT_TRUE(fs::remove(dump / "stages.txt"));
     for (const fs::path& file : filesIn(dump)) {
       EXPECT_EQ(file.extension(), ".ply");
       EXPECT_NO_THROW(readMesh(file)) << file;
