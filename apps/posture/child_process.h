@@ -17,8 +17,8 @@ struct ChildEnd {
 };
 
 /// Runs this very program with other arguments, in a process of its own: its memory is its own, and
-/// what crashes or hangs it leaves us alive. Arguments `--parent PID` are added after
-/// the first, its verb, for endWithParent(). `waiting` is called a few times a second.
+/// what crashes or hangs it leaves us alive. Arguments `--parent PID` are added after the
+/// first, its verb, for endWithParent(). `waiting` is called a few times a second.
 /// \throws std::system_error  no process could be made.
 ChildEnd runSelf(const std::vector<std::string>& arguments,
                  std::chrono::duration<double> time_limit,
