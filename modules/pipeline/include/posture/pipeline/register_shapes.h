@@ -150,7 +150,8 @@ inline const Points& registeredPoints(const Shape& given, const Points& denoised
 /// Finds the dense correspondence of two meshes.
 /// \throws InputError  one of the meshes has no surface to work on; std::invalid_argument  as
 /// requireMesh(), which a vertex that is not finite is, too: messages of both begin with the side,
-/// "source" or "target"; TornSurface (deformation/arap.h)  a mesh is so torn that it cannot be bent.
+/// "source" or "target"; TornSurface (deformation/arap.h)  a mesh is so torn that it cannot be
+/// bent.
 RegistrationResult registerShapes(const TriangleMesh& source,
                                   const TriangleMesh& target,
                                   const RegistrationOptions& options = {},
