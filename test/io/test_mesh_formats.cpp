@@ -92,6 +92,20 @@ TEST(Obj, weightsAndContinuedLines) {
   EXPECT_EQ(file.colors.rows(), 0);
 }
 
+TEST(TextMeshes, linesOfAClassicMac) {
+  const std::vector<std::pair<const char*, std::string>> files{
+      {".obj", "# c\rv 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r"},
+      {".off", "OFF\r3 1 0\r0 0 0\r1 0 0\r0 1 0\r3 0 1 2\r"},
+      {".ply",
+       "ply\rformat ascii 1.0\relement vertex 3\rproperty float x\rproperty float y\r"
+       "property float z\relement face 1\rproperty list uchar int vertex_indices\rend_header\r"
+       "0 0 0\r1 0 0\r0 1 0\r3 0 1 2\r"}};
+  for (const auto& [ending, text] : files) {
+    EXPECT_EQ(parse(ending, text).mesh.vertices, corner_triangle) << ending;
+    EXPECT_EQ(parse(ending, text).mesh.faces, faces({{0, 1, 2}})) << ending;
+  }
+}
+
 TEST(Off, countsOnTheFirstLineOrTheNext) {
   const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   for (const std::string head : {"OFF\n3 1 0\n",

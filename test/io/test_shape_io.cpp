@@ -318,6 +318,15 @@ TEST(Table, namesSayWhatTheColumnsAre) {
   expectSame(readCloud("a.csv", "x,y,what,z\n1,2.5,hat,-3\n4e2,5,,6\n").points, TWO);
 }
 
+TEST(Table, textsMayHaveBlanksBetweenCommas) {
+  for (const char* head : {"x,y,seen on,z", "x; y; seen on; z", "X [m], Y [m], what, Z [m]"})
+    for (const char* rows : {"1,2.5,the left hand,-3\n4e2,5,a foot,6\n",
+                             "1;2.5;hand;-3\n4e2 ; 5 ; the other hand ; 6\n"}) {
+      SCOPED_TRACE(head);
+      expectSame(readCloud("a.csv", std::string(head) + "\n" + rows).points, TWO);
+    }
+}
+
 TEST(Table, numbersSayWhatTheColumnsAre) {
   const auto expect = [](const std::string& text, bool normals, bool colors) {
     SCOPED_TRACE(text);
@@ -369,6 +378,10 @@ TEST(Table, badFilesAreRefusedInOneLine) {
   expect("hello\n", "line 1: 'hello' is not a number");
   expect("a,b,c\n1,2,3\n", "line 1: 'a' is not a number");
   expect("x,y,z\n1,2\n", "line 2: 2 columns where 3 are expected");
+  expect("x,y,z\n1 2 3 4\n", "line 2: 4 columns where 3 are expected");
+  expect("x,y,what,z\n1,2,the hat,a 4\n", "line 2: 'a 4' is not a number");
+  expect("x;y;z\n1,5;2,5;3,5\n", "decimal commas cannot be read");
+  expect("x y z r g b\n1,5 2,5 3,5\n", "decimal commas cannot be read");
   expect("x,y,intensity\n1,2,3\n", "line 1: columns x and y are named, and none z");
   expect("# x y nx ny nz\n1 2 0 0 1\n", "line 2: columns x and y are named, and none z");
   expect("# nothing\n\n", "there are no points in it");

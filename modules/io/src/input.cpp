@@ -33,6 +33,13 @@ std::string compressionOf(std::string_view bytes) {
   return "";
 }
 
+/// Text whose lines end with CR alone, as a classic Mac wrote them: with LF instead. What is binary
+/// has zeros or, by chance, an LF.
+void endLinesWithLf(std::string& bytes) {
+  if (bytes.find('\n') == std::string::npos && bytes.find('\0') == std::string::npos)
+    std::replace(bytes.begin(), bytes.end(), '\r', '\n');
+}
+
 }  // namespace
 
 Input::Input(const fs::path& path) : path_(path) {
@@ -58,6 +65,7 @@ Input::Input(const fs::path& path) : path_(path) {
   if (static_cast<std::uintmax_t>(stream.gcount()) != size) fail("cannot be read to its end");
   if (const std::string format = compressionOf(bytes_); !format.empty())
     fail("is compressed (" + format + "): unpack it first");
+  endLinesWithLf(bytes_);
 }
 
 void Input::fail(const std::string& what) const { failAt(NO_OFFSET, what); }

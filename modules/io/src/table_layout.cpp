@@ -3,6 +3,7 @@
 #include "table_layout.h"
 
 #include "color_byte.h"
+#include "text.h"
 #include "text_reader.h"
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,7 @@ using Columns = TableLayout::Columns;
 
 /// Small letters, without quotes and without a unit in brackets.
 std::string plainName(std::string_view name) {
-  std::string plain = lowercase(name.substr(0, name.find_first_of("([")));
+  std::string plain = lowercase(trimmed(name.substr(0, name.find_first_of("(["))));
   plain.erase(std::remove(plain.begin(), plain.end(), '"'), plain.end());
   return plain;
 }

@@ -28,15 +28,19 @@ std::string_view withoutComment(std::string_view line, std::string_view& comment
   return trimmed(line);
 }
 
-/// Separated by blanks, or by a comma or semicolon with or without blanks around it; between two
-/// of these an empty word, none behind the last.
-void split(std::string_view text, std::vector<std::string_view>& words) {
+/// What separates words: a comma or semicolon with or without blanks around it, and else blanks.
+enum class Blanks { SEPARATE, BELONG };
+
+/// Between two separators an empty word, none behind the last.
+void split(std::string_view text, Blanks blanks, std::vector<std::string_view>& words) {
   words.clear();
   std::size_t at = 0;
   while (at < text.size()) {
     const std::size_t begin = at;
-    while (at < text.size() && !isBlank(text[at]) && !isSeparator(text[at])) ++at;
-    words.push_back(text.substr(begin, at - begin));
+    while (at < text.size() && !isSeparator(text[at]) &&
+           (blanks == Blanks::BELONG || !isBlank(text[at])))
+      ++at;
+    words.push_back(trimmed(text.substr(begin, at - begin)));
     while (at < text.size() && isBlank(text[at])) ++at;
     if (at < text.size() && isSeparator(text[at])) ++at;
     while (at < text.size() && isBlank(text[at])) ++at;
@@ -82,23 +86,26 @@ class TableReader {
     const std::string_view text = withoutComment(line, comment);
     if (columns_ == 0 && readNames(text.empty() ? comment : text, text.empty())) return;
     if (text.empty()) return;
-    split(text, words_);
+    split(text, Blanks::SEPARATE, words_);
     if (readCount()) return;
     if (columns_ == 0) begin(text);
+    // A text may have blanks in it where something else separates.
+    if (!hasAllColumns()) split(text, Blanks::BELONG, words_);
     const bool last_is_missing = static_cast<int>(words_.size()) == columns_ - 1;
     if (last_is_missing && isSeparator(text.back())) words_.emplace_back();
-    if (static_cast<int>(words_.size()) != columns_) failRow(text);
+    if (!hasAllColumns()) failRow(text);
     for (int column = 0; column < columns_; ++column) {
       double value = std::numeric_limits<double>::quiet_NaN();
       const std::string_view word = words_[static_cast<std::size_t>(column)];
-      if (isNeeded(column) && !word.empty() && !parseNumber(word, value)) failNumber(word, text);
+      if (isNeeded(column) && !word.empty() && !parseNumber(word, value)) failNumber(word);
       numbers_.push_back(value);
     }
   }
 
   /// Only before the first row. Names on a line of their own are worth more than a comment.
   bool readNames(std::string_view text, bool in_comment) {
-    split(text, words_);
+    split(text, Blanks::BELONG, words_);
+    if (!layoutOfNames(words_)) split(text, Blanks::SEPARATE, words_);
     const auto is_unit = [](std::string_view word) {
       return !word.empty() && (word[0] == '(' || word[0] == '[');
     };
@@ -132,16 +139,21 @@ class TableReader {
     if (layout_ && names_in_comment_ && columns_of_names_ != count) layout_.reset();
     columns_ = layout_ ? columns_of_names_ : count;
     if (!layout_ && columns_without_z_ == count) failWithoutZ();
-    failDecimalCommas(text);
+    if (!hasAllColumns()) split(text, Blanks::BELONG, words_);
+    // Beside the blanks of a text commas between numbers look like decimal ones.
+    const bool has_text = count != columns_ && hasAllColumns();
+    if (!has_text) failDecimalCommas(text);
     if (layout_ || count >= 3) return;
     double ignored = 0;
     for (const std::string_view word : words_)
-      if (!parseNumber(word, ignored)) failNumber(word, text);
+      if (!parseNumber(word, ignored)) failNumber(word);
     input_.failAt(
         offset_,
         "fewer than three numbers: a point is x y z, separated by blanks, tabs, commas or "
         "semicolons");
   }
+
+  bool hasAllColumns() const { return static_cast<int>(words_.size()) == columns_; }
 
   bool isNeeded(int column) const {
     if (!layout_) return true;
@@ -151,13 +163,13 @@ class TableReader {
     return false;
   }
 
-  [[noreturn]] void failNumber(std::string_view word, std::string_view text) const {
-    failDecimalCommas(text);
+  [[noreturn]] void failNumber(std::string_view word) const {
     input_.failAt(offset_, inQuotes(word) + " is not a number");
   }
 
-  [[noreturn]] void failRow(std::string_view text) const {
+  [[noreturn]] void failRow(std::string_view text) {
     failDecimalCommas(text);
+    split(text, Blanks::SEPARATE, words_);
     input_.failAt(offset_,
                   std::to_string(words_.size()) + " columns where " + std::to_string(columns_) +
                       " are expected (truncated?)");

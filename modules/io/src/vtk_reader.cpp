@@ -114,6 +114,9 @@ class VtkReader {
     const std::string_view word = text_.word();
     if (word != "CONNECTIVITY") text_.fail(inQuotes(word) + " where CONNECTIVITY is expected");
     cells.corners = readWhole(corner_count, readType());
+    if (!cells.offsets.empty() && cells.offsets.front() != 0)
+      text_.fail("the offsets of the polygons begin at " + std::to_string(cells.offsets.front()) +
+                 ", not at 0");
     std::int64_t last = 0;
     for (const std::int64_t offset : cells.offsets) {
       if (offset < last || offset > static_cast<std::int64_t>(cells.corners.size()))
