@@ -29,6 +29,16 @@ TEST(ClassicalScaling, ordersAxesAndCentres) {
   EXPECT_GE(found.col(1).norm(), found.col(2).norm());
 }
 
+TEST(ClassicalScaling, standsEigenvaluesThatAreManyTimesTheSame) {
+  for (const int count : {4, 30, 200}) {  // a simplex, then a point
+    const Matrix apart = Matrix::Ones(count, count) - Matrix::Identity(count, count);
+    const Points corners = classicalScaling(apart);
+    EXPECT_NEAR(
+        (corners.transpose() * corners - 0.5 * Eigen::Matrix3d::Identity()).norm(), 0, 1e-9);
+    EXPECT_NEAR(classicalScaling(0 * apart).norm(), 0, 1e-9);
+  }
+}
+
 TEST(ClassicalScaling, refusesTooFew) {
   EXPECT_THROW(classicalScaling(Matrix::Zero(3, 3)), std::invalid_argument);
   EXPECT_THROW(classicalScaling(Matrix::Zero(5, 4)), std::invalid_argument);

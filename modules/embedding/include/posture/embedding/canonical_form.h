@@ -20,7 +20,6 @@ struct CanonicalForm {
 /// Section 4.1 on the samples alone: `vertices` stays empty.
 /// \param landmarks  as of computeLandmarks(), on a connected mesh.
 /// \throws std::invalid_argument  fewer than four samples.
-/// \throws std::runtime_error  as classicalScaling().
 CanonicalForm embedSamples(const Landmarks& landmarks);
 
 /// Section 4.1 on the samples, and every other vertex projected into their embedding.

@@ -12,7 +12,6 @@ namespace posture {
 /// \return s x 3, centred, axes by decreasing eigenvalue, signs arbitrary; zero along an axis that
 ///         the distances do not call for.
 /// \throws std::invalid_argument  not square or too small.
-/// \throws std::runtime_error  the eigenvectors do not converge.
 Points classicalScaling(const Matrix& distances);
 
 /// Minimises the weighted stress sum_{i<j} w_ij (|x_i - x_j| - delta_ij)^2 (Borg and Groenen 1997,
