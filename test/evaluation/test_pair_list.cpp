@@ -76,7 +76,7 @@ TEST_F(PairList, SaysWhatIsWrong) {
   EXPECT_THAT(errorOf("id,source\na,b\n"), HasSubstr("no column 'target'"));
   EXPECT_THAT(errorOf(head + "a,b\n"), HasSubstr("record 1 has 2 fields, the header 3"));
   EXPECT_THAT(errorOf(head + "a,b,c\na,b,c\n"), HasSubstr("used twice"));
-  EXPECT_THAT(errorOf(head + "../a,b,c\n"), HasSubstr("cannot name a file"));
+  EXPECT_THAT(errorOf(head + "../a,b,c\n"), HasSubstr("is not made of letters, digits"));
   EXPECT_THAT(errorOf(head + std::string(201, 'i') + ",b,c\n"),
               HasSubstr("pairs.csv: the id 'iiiiiiiiiiiiiiiiiiiiiiii...' is longer than 200"));
   EXPECT_EQ(read(head + std::string(200, 'i') + ",b,c\n").size(), 1u);

@@ -6,10 +6,10 @@
 #include "answer/attempt.h"
 #include "answer/shared_verdict.h"
 #include "attempts/best_attempt.h"
+#include "no_way_on.h"
 #include "pipeline/made_up_answers.h"
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -103,6 +103,50 @@ TEST(BestAttempt, anAnswerThatDoesNotGoOnGivesWayToABetterOne) {
   EXPECT_EQ(result.status, Status::UNDECIDED);
 }
 
+TEST(BestAttempt, anAnswerThatDoesNotGoOnLeavesTheSameOneFoundWithAllThereIs) {
+  RegistrationOptions options;
+  const Observer nobody;
+  StageClock clock(nobody);
+  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
+  RegistrationResult part = mapOf(-12, {0, 1, 2});
+  part.source.compared_share = 0.5;
+  const RegistrationResult result = bestAttempt(
+      {{mapOf(-11, {0, 1, 2}), {}}, {part, {}}},
+      target,
+      options,
+      [](RegistrationResult known) -> std::optional<RegistrationResult> {
+        if (known.source.compared_share == 1) return {};
+        payForExtending(-7.7, 0, known);
+        return known;
+      },
+      clock);
+  EXPECT_EQ(result.score, -11);
+  EXPECT_EQ(result.alternatives.size(), 1u) << "the other one agrees";
+  EXPECT_DOUBLE_EQ(result.trust, 0.9);
+}
+
+TEST(BestAttempt, whereARivalComesToAgreeTheNextOneCounts) {
+  RegistrationOptions options;
+  const Observer nobody;
+  StageClock clock(nobody);
+  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
+  int extensions = 0;
+  const RegistrationResult result = bestAttempt(
+      {{mapOf(-12, {0, 1, 2}), {}}, {mapOf(-11.9, {1, 2, 0}), {}}, {mapOf(-10.9, {2, 0, 1}), {}}},
+      target,
+      options,
+      [&](const RegistrationResult& known) -> std::optional<RegistrationResult> {
+        ++extensions;
+        return mapOf(known.score, {0, 1, 2});
+      },
+      clock);
+  EXPECT_EQ(extensions, 2) << "the third is decisively worse";
+  EXPECT_EQ(result.score, -12);
+  ASSERT_EQ(result.alternatives.size(), 2u);
+  EXPECT_EQ(result.alternatives[1].score, -10.9);
+  EXPECT_LT(result.trust, 0.9);
+}
+
 TEST(BestAttempt, aRivalCostsAllMapsTrustAndIsLessLikelyItself) {
   const RegistrationResult result = best({{answerWith(-12, 1), {}}, {answerWith(-11.5, 2), {}}});
   ASSERT_EQ(result.alternatives.size(), 2u);
@@ -143,8 +187,7 @@ TEST(BestAttempt, onlyTheBestIsFinished) {
 }
 
 Attempt unfinishable(double score, int place) {
-  return {answerWith(score, place),
-          []() -> RegistrationResult { throw std::runtime_error("no surface"); }};
+  return {answerWith(score, place), []() -> RegistrationResult { throw NoWayOn("no surface"); }};
 }
 
 TEST(BestAttempt, oneThatCannotBeFinishedIsLeft) {
@@ -153,7 +196,7 @@ TEST(BestAttempt, oneThatCannotBeFinishedIsLeft) {
   EXPECT_EQ(result.score, -11);
   EXPECT_EQ(result.alternatives.size(), 1u);
   EXPECT_EQ(best({failing, {answerWith(-11, 1), {}}}).score, -11);
-  EXPECT_THROW(best({failing}), std::runtime_error);
+  EXPECT_THROW(best({failing}), NoWayOn);
 }
 
 TEST(BestAttempt, aRivalThatCannotBeFinishedIsStillNamed) {

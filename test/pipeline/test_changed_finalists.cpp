@@ -28,7 +28,7 @@ RefinedShape ellipsoid(double bump) {
   mesh = test::unitArea(std::move(mesh));
   RefinedShape shape = fullSide("ellipsoid", mesh, false);
   reduceSide(static_cast<int>(mesh.vertices.rows()), shape);
-  addSpectrum(shape);
+  addSpectrum("side", shape);
   addSamples("body", shape);
   return shape;
 }

@@ -5,13 +5,13 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "no_way_on.h"
 #include "refined/work/coarse_map.h"
 #include "sides/given_shape.h"
 #include "sides/pose.h"
 #include "support/bodies.h"
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace posture {
 namespace {
@@ -78,7 +78,7 @@ TEST_F(CoarseMap, whatHasNoCounterpartIsApartAndLiesWhereItWasLaid) {
 }
 
 TEST_F(CoarseMap, needsACounterpart) {
-  EXPECT_THROW(coarseMapOf(source_, target_, known_), std::runtime_error);
+  EXPECT_THROW(coarseMapOf(source_, target_, known_), NoWayOn);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ class EndMaps : public testing::Test {
  protected:
   EndMaps() : shape_(fullSide("star", starWithHead(), false)) {
     reduceSide(static_cast<int>(shape_.full.vertices.rows()), shape_);
-    addSpectrum(shape_);
+    addSpectrum("side", shape_);
     addSamples("star", shape_);
     surface_ = std::make_unique<SpectralSurface>(shape_.coarseSurface());
   }

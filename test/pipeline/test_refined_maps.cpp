@@ -16,7 +16,7 @@ namespace {
 RefinedShape refinedShape(const TriangleMesh& mesh) {
   RefinedShape shape = fullSide("club", mesh, false);
   reduceSide(5000, shape);
-  addSpectrum(shape);
+  addSpectrum("side", shape);
   addSamples("body", shape);
   return shape;
 }

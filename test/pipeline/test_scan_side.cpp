@@ -101,7 +101,6 @@ TEST(ReferToPoints, aScannedSourceHasARowForEachPoint) {
   EXPECT_TRUE(result.deformed.row(1).allFinite()) << "an outlier moves with what is near";
   EXPECT_TRUE(result.deformed.row(2).array().isNaN().all());
   EXPECT_EQ(result.surface_deformed.rows(), 9);
-  EXPECT_EQ(result.message, "2 of 3 source points have a counterpart (66.7 %)");
 }
 
 TEST(ReferToPoints, aPointWhoseFaceLeadsPartlyNowhereGoesWhereItsVertexGoes) {

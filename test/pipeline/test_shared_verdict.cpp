@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "answer/shared_verdict.h"
@@ -69,7 +68,6 @@ TEST(SharedVerdict, handsOnTheOtherSideArePaidForOnce) {
   EXPECT_EQ(result.score, -7);
   EXPECT_LT(result.trust, 0.1 * trust);
   EXPECT_EQ(result.status, Status::UNDECIDED);
-  EXPECT_THAT(result.message, testing::HasSubstr("mirror images"));
 }
 
 TEST(SharedVerdict, anAnswerThatIsAllButCertainAndNotAstrayStands) {

@@ -13,8 +13,8 @@ namespace posture {
 namespace {
 
 /// What an observer ends a run with.
-struct Stopped : std::runtime_error {
-  Stopped() : std::runtime_error("stopped") {}
+struct Stopped : InputError {
+  Stopped() : InputError("stopped") {}
 };
 
 int tooLittle() { throw InputError("too little surface"); }
@@ -34,6 +34,8 @@ TEST(StageClock, anAttemptThatFailsLeavesTheEarlierAnswer) {
   clock.stage("completion", 0.1, [] {});
   EXPECT_EQ(attempts, (std::vector<std::string>{"", "patched", ""})) << "its label ends with it";
   EXPECT_EQ(clock.timings().size(), 2U);
+  attempt([]() -> int { throw NoWayOn("nothing is mapped"); });
+  EXPECT_EQ(answer, 1);
   attempt([] { return 2; });
   EXPECT_EQ(answer, 2);
 }
@@ -49,11 +51,13 @@ TEST(StageClock, whatTheObserverThrowsEndsTheRun) {
   EXPECT_THROW(clock.tryAttempt("piece-1", 0.5, inner), Stopped);
 }
 
-TEST(StageClock, aMistakeInTheProgramIsNoFailure) {
+TEST(StageClock, nothingElseThatIsThrownIsTakenForTooLittle) {
   const Observer none;
   StageClock clock(none);
   EXPECT_THROW(clock.tryTo([]() -> int { throw std::invalid_argument("sizes"); }),
                std::invalid_argument);
+  EXPECT_THROW(clock.tryTo([]() -> int { throw std::runtime_error("a library's"); }),
+               std::runtime_error);
 }
 
 }  // namespace

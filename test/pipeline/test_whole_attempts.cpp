@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/deformation/arap.h>
+
 #include <gtest/gtest.h>
 
 #include "attempts/whole_attempts.h"
+#include "no_way_on.h"
 #include "pipeline/made_up_answers.h"
 #include <optional>
-#include <stdexcept>
 
 namespace posture {
 namespace {
@@ -18,10 +20,10 @@ struct Begun {
     begun.score = first_score;
     begun.goOn = [=](const RegistrationResult*, bool) {
       ++times;
-      if (fails) throw std::runtime_error("too torn");
+      if (fails) throw NoWayOn("too torn");
       Attempt attempt{answerWith(last_score, place), {}};
       attempt.finish = [=]() -> RegistrationResult {
-        if (cannot_be_finished) throw std::runtime_error("too torn");
+        if (cannot_be_finished) throw NoWayOn("too torn");
         return answerWith(last_score, place);
       };
       return std::optional(attempt);
@@ -76,7 +78,7 @@ TEST_F(BetterOf, oneThatCannotBeBentGivesWay) {
   whole.fails = true;
   EXPECT_EQ(placeOf(whole, cut), 2);
   cut.fails = true;
-  EXPECT_THROW(placeOf(whole, cut), std::runtime_error);
+  EXPECT_THROW(placeOf(whole, cut), TornSurface);
   whole.fails = false;
   EXPECT_EQ(placeOf(whole, cut), 1);
 }

@@ -69,7 +69,9 @@ BenchmarkPair toPair(const Row& row, const std::filesystem::path& folder) {
   pair.note = row["note"];
   pair.target_surface = place(row["target_surface"]);
   pair.target_surface_vertices = place(row["target_surface_vertices"]);
-  if (!isFileName(pair.id)) throw InputError("the id '" + pair.id + "' cannot name a file");
+  if (!isFileName(pair.id))
+    throw InputError("the id '" + pair.id +
+                     "' is not made of letters, digits, '.', '_' and '-', or begins with '.'");
   if (pair.id.size() > LONGEST_ID)
     throw InputError("the id '" + pair.id.substr(0, 24) + "...' is longer than " +
                      std::to_string(LONGEST_ID) + " characters and cannot name a file");

@@ -12,7 +12,7 @@
 namespace posture {
 namespace {
 
-/// Collapsed edges are as bad as these many-fold ones: the logarithm of nothing is no figure.
+/// The logarithm of a collapsed edge's length is no figure: it counts as much as this one.
 constexpr double LARGEST_STRETCH = 10;
 
 std::vector<double> edgeStretches(const TriangleMesh& source,

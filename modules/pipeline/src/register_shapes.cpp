@@ -3,6 +3,7 @@
 #include <posture/pipeline/register_shapes.h>
 
 #include "answer/attempt.h"
+#include "answer/message.h"
 #include "answer/same_answer.h"
 #include "answer/shared_verdict.h"
 #include "answer/verdict.h"
@@ -69,7 +70,7 @@ RegistrationResult bestOfBoth(Attempt as_given,
 
 /// Registers the shapes as they are and, where there are holes to speak of, first with those closed
 /// that may be.
-RegistrationResult registerPatched(const GivenShape& source,
+RegistrationResult registerWhole(const GivenShape& source,
                                    const GivenShape& target,
                                    const RegistrationOptions& options,
                                    StageClock& clock) {
@@ -132,7 +133,7 @@ RegistrationResult registerMeshes(const GivenShape& source,
                                   StageClock& clock) {
   if (options.method == Method::PAPER) return publishedMethod(source, target, clock);
 
-  RegistrationResult main = registerPatched(source, target, options, clock);
+  RegistrationResult main = registerWhole(source, target, options, clock);
   const double mapped = mappedShare(main);
   std::optional<RegistrationResult> joined;
   if (!looksAlike(main) || mapped < NEARLY_ALL || isInPieces(source.clean) ||
@@ -176,9 +177,12 @@ RegistrationResult registerSurfaces(SideSurface& source,
   notePreparation(target, result.target, result.target_denoised);
   dropBackground(source.background, source.mesh.vertices, target.background, result);
   noteLeftOutParts(from, to, result);
-  result.message = result.status == Status::REGISTERED ? mappedMessage(result)
-                                                       : result.message + leftOutMessage(result);
   return result;
+}
+
+void conclude(const StageClock& clock, RegistrationResult& result) {
+  result.message = messageOf(result);
+  result.timings = clock.timings();
 }
 
 }  // namespace
@@ -190,7 +194,7 @@ RegistrationResult registerShapes(const TriangleMesh& source,
   StageClock clock(observer);
   SideSurface source_surface(source), target_surface(target);
   RegistrationResult result = registerSurfaces(source_surface, target_surface, options, clock);
-  result.timings = clock.timings();
+  conclude(clock, result);
   return result;
 }
 
@@ -207,7 +211,7 @@ RegistrationResult registerShapes(const Shape& source,
   clock.stage("points", 0.01, [&] {
     referToPoints(source, target, std::move(source_surface), std::move(target_surface), result);
   });
-  result.timings = clock.timings();
+  conclude(clock, result);
   return result;
 }
 

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <posture/core/error.h>
 #include <posture/pipeline/observer.h>
 #include <posture/pipeline/register_shapes.h>
 
+#include "no_way_on.h"
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -25,7 +27,7 @@ class StageClock {
   /// run, of clouds too, come to at most 1.
   template <class Work>
   auto stage(const std::string& name, double share, const Work& work) {
-    tell({label_.attempt, name, progress_, {}});
+    tell({label_.attempt, name, progress(), {}});
     const auto start = std::chrono::steady_clock::now();
     const auto end = [&] {
       const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -47,7 +49,7 @@ class StageClock {
 
   /// Hands the pictures of the stage just run to the observer.
   void show(const std::function<std::vector<StagePicture>()>& pictures) {
-    if (!timings_.empty()) tell({label_.attempt, timings_.back().stage, progress_, pictures});
+    if (!timings_.empty()) tell({label_.attempt, timings_.back().stage, progress(), pictures});
   }
 
   /// The attempt that stages belong to, and what their shares count by.
@@ -71,14 +73,19 @@ class StageClock {
     return tryTo([&] { return within({name, portion}, work); });
   }
 
-  /// Runs what may find too little to work on: none then.
+  /// Runs what may find too little to work on (InputError, NoWayOn): none then.
   template <class Work>
   auto tryTo(const Work& work) -> std::optional<decltype(work())> {
-    try {
-      return work();
-    } catch (const std::runtime_error&) {
+    const auto none = [&] {
       if (is_observer_speaking_) throw;  // it was the observer: it wants the run to end
       return std::nullopt;
+    };
+    try {
+      return work();
+    } catch (const InputError&) {
+      return none();
+    } catch (const NoWayOn&) {
+      return none();
     }
   }
 
@@ -95,6 +102,9 @@ class StageClock {
     StageClock& clock;
     Label before;
   };
+
+  /// Stages of an attempt that cannot be finished count, and so do those made in their place.
+  double progress() const { return std::min(1.0, progress_); }
 
   void tell(const StageEvent& event) {
     if (!observer_) return;

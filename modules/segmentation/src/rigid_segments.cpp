@@ -10,6 +10,7 @@
 #include "moments.h"
 #include "otsu.h"
 #include "pieces.h"
+#include "robust_factors.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -214,11 +215,7 @@ Eigen::Isometry3d robustMotion(const TriangleMesh& rest,
             (motion * Vector3d(rest.vertices.row(v)) - Vector3d(pose.row(v))).squaredNorm();
       }
     }
-    const double typical = std::max(median(misfit), 1e-20);  // exact where it is all rigid
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const double ratio = 1 + misfit[i] / typical;
-      factor[i] = 1 / (ratio * ratio);  // Geman and McClure
-    }
+    factor = robustFactors(misfit);
   }
   return motion;
 }

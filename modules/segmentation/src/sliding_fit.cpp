@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sliding_fit.h"
 
-#include <posture/core/median.h>
 #include <posture/mesh/nearest_on_faces.h>
 #include <posture/mesh/normals.h>
 
 #include <Eigen/Cholesky>
 
+#include "joint.h"
+#include "robust_factors.h"
 #include <algorithm>
 #include <cmath>
 
@@ -16,22 +17,12 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr double LARGEST_STEP = 0.3;    // radians: the planes are no good beyond
 constexpr double SMALLEST_STEP = 1e-7;  // radians, and parts of the size
 
 double squaredDistance(const Vector3d& across, const Vector3d& whole, double along) {
   return (1 - along) * across.squaredNorm() + along * whole.squaredNorm();
-}
-
-/// Factors on the weights of vertices that are that far off, squared.
-std::vector<double> factorsOf(const std::vector<double>& off) {
-  const double typical = std::max(median(off), 1e-20);  // exact where it is all rigid
-  std::vector<double> factors;
-  for (const double o : off) factors.push_back(std::pow(1 + o / typical, -2));
-  return factors;
 }
 
 }  // namespace
@@ -104,7 +95,7 @@ SlidingFit slideOnto(const PosedSurface& surface,
       fit.misfit += weight * off[i];
     }
     if (round == rounds) return fit;
-    if (robust) factor = factorsOf(off);
+    if (robust) factor = robustFactors(off);
     Matrix6 of_steps = Matrix6::Zero();
     Vector6 pull = Vector6::Zero();
     const Vector3d about = fit.motion * centre;

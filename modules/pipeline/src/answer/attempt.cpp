@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "answer/attempt.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace posture {
+
+bool isOfPart(const RegistrationResult& result) {
+  return std::min(result.source.compared_share, result.target.compared_share) < 1;
+}
 
 RegistrationResult finished(Attempt attempt) {
   return attempt.finish ? attempt.finish() : std::move(attempt.found);

@@ -16,6 +16,9 @@ struct Attempt {
   std::function<RegistrationResult()> finish;  ///< empty: `found` is all there is
 };
 
+/// Whether an answer was found with a part of a side alone.
+bool isOfPart(const RegistrationResult& result);
+
 /// \throws TornSurface  a surface cannot be bent
 RegistrationResult finished(Attempt attempt);
 

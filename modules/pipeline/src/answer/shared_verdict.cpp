@@ -40,7 +40,6 @@ void payForHands(double hands, RegistrationResult& result) {
   std::optional<double>& refined = result.alternatives[result.chosen].refined_score;
   if (refined) *refined += more;
   setTrust(trustIn(result), result);
-  giveVerdict(result);
 }
 
 void payForExtending(double score, double hands, RegistrationResult& result) {
@@ -51,7 +50,6 @@ void payForExtending(double score, double hands, RegistrationResult& result) {
   for (AlternativeSummary& one : result.alternatives)
     if (one.refined_score) *one.refined_score += more;
   setTrust(std::min(result.trust, trustIn(result)), result);
-  giveVerdict(result);
 }
 
 bool leadsAstray(const RegistrationResult& without, const RegistrationResult& with) {
@@ -72,7 +70,6 @@ RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map)
   verdict.scale = map.scale;
   verdict.source = withMeasured(std::move(verdict.source), map.source);
   verdict.target = withMeasured(std::move(verdict.target), map.target);
-  giveVerdict(verdict);
   return verdict;
 }
 

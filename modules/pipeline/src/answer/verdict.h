@@ -4,20 +4,19 @@
 
 #include <posture/pipeline/register_shapes.h>
 
-#include <string>
-
 namespace posture {
 
-/// How many of the source's vertices, or points that are there, have a counterpart, in words.
-std::string mappedMessage(const RegistrationResult& result);
+/// Mean consistency of distances under the chosen candidate of the paper's method, below which two
+/// shapes are not taken for one body: docs/decisions/published.md has the measurements it lies
+/// between.
+constexpr double LEAST_CONSISTENCY = 0.855;
 
-/// What of the sides was left out that is as large as a body, in words that end a message; empty:
-/// nothing was.
-std::string leftOutMessage(const RegistrationResult& result);
-
-/// Sets status and message from the chosen hypothesis: two bodies are called the same one when
-/// distances on them agree under it.
+/// Sets the status from the chosen hypothesis: two bodies are called the same one when distances on
+/// them agree under it.
 void givePublishedVerdict(RegistrationResult& result);
+
+/// The answer most likely next to the chosen one; -1: there is none.
+int rivalOf(const RegistrationResult& result);
 
 /// How likely another answer is beside the chosen one, by its margin; at most 1.
 double likelihoodOf(const RegistrationResult& result, const AlternativeSummary& other);
@@ -55,21 +54,16 @@ bool mayConvince(double score);
 /// Whether the final map scores as those between poses of one body do.
 bool looksAlike(const RegistrationResult& result);
 
-/// Whether the trust is enough to say that the answer is the right one.
-bool isDecided(const RegistrationResult& result);
-
-/// Changes the trust, and the confidences of all maps with it.
+/// Changes the trust, the confidences of all maps with it, and the status: registered where it is
+/// enough to say that the answer is the right one.
 void setTrust(double trust, RegistrationResult& result);
 
 /// Takes another answer in among the alternatives, and the trust that costs.
 /// \param rival_trust  that in which its confidences are.
 void addRival(AlternativeSummary rival, double rival_trust, RegistrationResult& result);
 
-/// Sets status and message from the trust.
-void giveVerdict(RegistrationResult& result);
-
-/// For when every candidate turns the surface inside out or tears it.
-/// \param source  its vertices as they came, without counterparts then.
-void giveVerdictWithoutFinalist(const Points& source, RegistrationResult& result);
+/// For when every candidate turns the surface inside out or tears it: no counterparts, undecided.
+/// \param source  its vertices as they came.
+void leaveWhereItIs(const Points& source, RegistrationResult& result);
 
 }  // namespace posture

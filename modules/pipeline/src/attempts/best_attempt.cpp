@@ -12,15 +12,42 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace posture {
 namespace {
 
+/// An attempt, finished and extended as far as it takes to know which is the best.
+struct Contender {
+  Attempt attempt;
+  std::optional<RegistrationResult> whole;       ///< finished, and extended where it can be
+  std::optional<RegistrationResult> unextended;  ///< finished, where it was extended
+
+  const RegistrationResult& known() const { return whole ? *whole : attempt.found; }
+};
+
+/// Whether one that would be extended has the answer of one that was, and convinces: it would come
+/// to the same.
+bool isSpokenFor(const Contender& one,
+                 const std::vector<Contender>& contenders,
+                 const TriangleMesh& target,
+                 double size) {
+  const RegistrationResult& found = one.attempt.found;
+  return !one.whole && isOfPart(found) &&
+         std::any_of(contenders.begin(), contenders.end(), [&](const Contender& other) {
+           return other.unextended && looksAlike(*other.whole) &&
+                  !leadsElsewhere(overlapOf(*other.unextended, found, target, size));
+         });
+}
+
 /// The one of least score, the first if none is better by more than scores vary.
-std::size_t bestOf(const std::vector<Attempt>& attempts) {
+std::size_t bestOf(const std::vector<Contender>& contenders,
+                   const TriangleMesh& target,
+                   double size) {
   std::size_t best = 0;
-  for (std::size_t i = 1; i < attempts.size(); ++i) {
-    const RegistrationResult &known = attempts[best].found, &other = attempts[i].found;
+  for (std::size_t i = 1; i < contenders.size(); ++i) {
+    if (isSpokenFor(contenders[i], contenders, target, size)) continue;
+    const RegistrationResult &known = contenders[best].known(), &other = contenders[i].known();
     if (other.chosen >= 0 &&
         (known.chosen < 0 || known.score - other.score >= (best == 0 ? SCORE_NOISE : 0)))
       best = i;
@@ -29,30 +56,32 @@ std::size_t bestOf(const std::vector<Attempt>& attempts) {
 }
 
 struct Rival {
-  const Attempt* attempt = nullptr;  // null: there is none
+  std::optional<std::size_t> contender;  // none: there is none
   double gap = 0;
 };
 
-/// Of the attempts that lead elsewhere than the best one, that of least score.
-/// \param maps  of the best one, found and extended: what agrees with either is no rival.
-Rival rivalOf(const std::vector<Attempt>& attempts,
+/// Of those that lead elsewhere than the best one, which is finished, that of least score. What
+/// agrees with it before or after it was extended is no rival.
+Rival rivalOf(const std::vector<Contender>& contenders,
               std::size_t best,
-              const std::vector<const RegistrationResult*>& maps,
               const TriangleMesh& target,
               double size) {
+  std::vector<const RegistrationResult*> maps;
+  if (contenders[best].unextended) maps.push_back(&*contenders[best].unextended);
+  maps.push_back(&*contenders[best].whole);
   Rival rival;
-  for (std::size_t i = 0; i < attempts.size(); ++i) {
-    const RegistrationResult& found = attempts[i].found;
-    if (i == best || found.chosen < 0) continue;
-    if (rival.attempt != nullptr && rival.attempt->found.score <= found.score) continue;
+  for (std::size_t i = 0; i < contenders.size(); ++i) {
+    const RegistrationResult& known = contenders[i].known();
+    if (i == best || known.chosen < 0) continue;
+    if (rival.contender && contenders[*rival.contender].known().score <= known.score) continue;
     double gap = 0;
     const bool elsewhere =
         std::all_of(maps.begin(), maps.end(), [&](const RegistrationResult* map) {
-          const Overlap overlap = overlapOf(*map, found, target, size);
+          const Overlap overlap = overlapOf(*map, known, target, size);
           gap = gapOf(overlap);
           return leadsElsewhere(overlap);
         });
-    if (elsewhere) rival = {&attempts[i], gap};
+    if (elsewhere) rival = {i, gap};
   }
   return rival;
 }
@@ -69,19 +98,42 @@ void shareHands(const TriangleMesh& target, std::vector<Attempt>& attempts) {
   }
 }
 
-/// The rival of an extended answer, extended as well if it may win or cost it much trust.
-std::optional<RegistrationResult> extendedRival(const Rival& rival,
-                                                double score,
-                                                const Extension& extended,
-                                                StageClock& clock) {
-  const RegistrationResult& found = rival.attempt->found;
-  const bool is_better = found.score < score;
-  if (isDecisive(score, found.score) || !(looksAlike(found) || is_better)) return {};
-  std::optional<RegistrationResult> whole = clock.tryTo([&] { return finished(*rival.attempt); });
-  if (!whole) return {};
-  std::optional<RegistrationResult> more = extended(*whole);
-  return more ? more : whole;
+/// Whether an extended answer is to be compared with what a rival comes to when it is extended,
+/// too: it may win, or cost much trust.
+bool mayMatter(const RegistrationResult& extended, const RegistrationResult& rival) {
+  return !isDecisive(extended.score, rival.score) &&
+         (looksAlike(rival) || rival.score < extended.score);
 }
+
+/// The contenders, and the way to finish them.
+class Contest {
+ public:
+  Contest(std::vector<Attempt> attempts, const Extension& extended, StageClock& clock)
+      : extended_(extended), clock_(clock) {
+    for (Attempt& attempt : attempts) contenders_.push_back({std::move(attempt), {}, {}});
+  }
+
+  std::vector<Contender>& contenders() { return contenders_; }
+
+  /// Finishes and extends one; where it cannot be finished it gives way to the others.
+  void take(std::size_t i) {
+    Contender& one = contenders_[i];
+    const auto finish = [&] { return finished(std::move(one.attempt)); };
+    std::optional<RegistrationResult> result =
+        contenders_.size() == 1 ? finish() : clock_.tryTo(finish);
+    if (!result) {
+      contenders_.erase(contenders_.begin() + static_cast<std::ptrdiff_t>(i));
+      return;
+    }
+    one.whole = extended_(*result);
+    (one.whole ? one.unextended : one.whole) = std::move(result);
+  }
+
+ private:
+  std::vector<Contender> contenders_;
+  const Extension& extended_;
+  StageClock& clock_;
+};
 
 }  // namespace
 
@@ -92,37 +144,32 @@ RegistrationResult bestAttempt(std::vector<Attempt> attempts,
                                StageClock& clock) {
   const double size = std::sqrt(attempts.front().found.target.area);
   shareHands(target, attempts);
+  Contest contest(std::move(attempts), extended, clock);
+  std::vector<Contender>& contenders = contest.contenders();
   for (;;) {
-    const std::size_t best = bestOf(attempts);
-    Rival rival = rivalOf(attempts, best, {&attempts[best].found}, target, size);
-    const auto finishBest = [&] { return finished(std::move(attempts[best])); };
-    std::optional<RegistrationResult> result =
-        attempts.size() == 1 ? finishBest() : clock.tryTo(finishBest);
-    if (!result) {
-      attempts.erase(attempts.begin() + static_cast<std::ptrdiff_t>(best));
+    const std::size_t best = bestOf(contenders, target, size);
+    if (!contenders[best].whole) {
+      contest.take(best);
       continue;
     }
-    std::optional<RegistrationResult> other;
-    if (std::optional<RegistrationResult> more = extended(*result)) {
-      rival = rivalOf(attempts, best, {&*result, &*more}, target, size);
-      result = std::move(more);
-      if (rival.attempt != nullptr) other = extendedRival(rival, result->score, extended, clock);
-      if (other && other->score < result->score - SCORE_NOISE) std::swap(*result, *other);
+    RegistrationResult& result = *contenders[best].whole;
+    const Rival rival = rivalOf(contenders, best, target, size);
+    if (!rival.contender) return std::move(result);
+    Contender& other = contenders[*rival.contender];
+    if (!other.whole && contenders[best].unextended && mayMatter(result, other.attempt.found)) {
+      contest.take(*rival.contender);
+      continue;
     }
-    if (other) {  // they may agree now
-      const Overlap overlap = overlapOf(*result, *other, target, size);
-      if (!leadsElsewhere(overlap)) return std::move(*result);
-      rival.gap = gapOf(overlap);
-    }
-    if (rival.attempt == nullptr) return std::move(*result);
-    if (!other && options.refine_alternatives)
-      other = clock.tryTo([&] { return finished(*rival.attempt); });
-    const RegistrationResult& found = other ? *other : rival.attempt->found;
-    AlternativeSummary summary = found.alternatives[found.chosen];
+    AlternativeSummary summary = other.known().alternatives[other.known().chosen];
     summary.gap = rival.gap;
-    if (options.refine_alternatives && other) summary.correspondence = other->correspondence;
-    addRival(std::move(summary), found.trust, *result);
-    return std::move(*result);
+    const double trust = other.known().trust;
+    if (options.refine_alternatives) {
+      if (!other.whole)
+        other.whole = clock.tryTo([&] { return finished(std::move(other.attempt)); });
+      if (other.whole) summary.correspondence = other.whole->correspondence;
+    }
+    addRival(std::move(summary), trust, result);
+    return std::move(result);
   }
 }
 

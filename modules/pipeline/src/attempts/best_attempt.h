@@ -18,9 +18,10 @@ using Extension = std::function<std::optional<RegistrationResult>(const Registra
 
 /// Of several attempts at one pair, on different parts of it, the one that scores best, the first
 /// if none is better by more than scores vary, finished; one that cannot be is left out, unless
-/// it is the last. The best of the others that leads elsewhere is named among its alternatives; if
-/// the best one was extended and this is nearly as good, it is finished, and extended, too, and the
-/// better one then wins. \pre  at least one.
+/// it is the last. An answer found with a part is extended, and where it then fits worse than
+/// another attempt, with the same answer or not, that one is taken. The best of those that lead
+/// elsewhere is named among the alternatives; if the best one was extended and this is nearly as
+/// good, it is finished, and extended, too, before. \pre  at least one.
 /// \param extended  of what was found with a part of a side, which others may then agree with.
 RegistrationResult bestAttempt(std::vector<Attempt> attempts,
                                const TriangleMesh& target,

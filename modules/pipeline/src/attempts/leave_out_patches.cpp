@@ -6,7 +6,6 @@
 #include <posture/mesh/position_of.h>
 
 #include "answer/shared_verdict.h"
-#include "answer/verdict.h"
 #include "refined/completion/way_back.h"
 #include <limits>
 #include <utility>
@@ -131,7 +130,6 @@ void leaveOutPatches(const GivenShape& source,
   }
   result.source = summaryWithout(source, source_patched, result.source);
   result.target = summaryWithout(target, target_patched, result.target);
-  if (result.status == Status::REGISTERED) result.message = mappedMessage(result);
 }
 
 }  // namespace posture

@@ -135,7 +135,7 @@ std::optional<RegistrationResult> extendedToWhole(const GivenShape& source,
                                                   RegistrationResult known,
                                                   const RegistrationOptions& options,
                                                   StageClock& clock) {
-  if (std::min(known.source.compared_share, known.target.compared_share) == 1) return {};
+  if (!isOfPart(known)) return {};
   std::optional<RegistrationResult> whole = clock.tryAttempt("extended", 0, [&] {
     return finished(extendedAnswer(source, target, known, options, clock));
   });

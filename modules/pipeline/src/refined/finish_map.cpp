@@ -97,7 +97,6 @@ RegistrationResult finishMap(const ChosenMap& chosen,
     result.deformed = deformedInput(source, scaled, target, full, on_pieces);
     addMatches(source.given, on_pieces, result);
     placeLoosePieces(source.given, target.given, result);
-    giveVerdict(result);
     if (options.both_ways) {
       result.back = WayBack{std::move(there.back.correspondence)};
       measureMiss(source.given, target.given.input, result.correspondence, *result.back);

@@ -147,7 +147,9 @@ FirstMaps preparedSides(const GivenShape& source_given,
 
   // The smoothest functions on each surface, which do not change when it bends.
   clock.stage("spectrum", 0.09, [&] {
-    parallelFor(2, [&](int side) { addSpectrum(side == 0 ? source.shape : target.shape); });
+    parallelFor(2, [&](int side) {
+      side == 0 ? addSpectrum("source", source.shape) : addSpectrum("target", target.shape);
+    });
   });
 
   // Geodesic distances between samples, and their canonical forms (the paper's section 4.1).
@@ -205,7 +207,7 @@ void chooseAmong(const FirstMaps& first_maps, std::vector<Finalist> found, Stage
   result.target = summarize(target.given, target.shape);
   if (finalists.empty()) {
     result.scale = source.pose.unit / target.pose.unit;
-    giveVerdictWithoutFinalist(source.given.input.vertices, result);
+    leaveWhereItIs(source.given.input.vertices, result);
     return;
   }
   const double gap = answerGap(target.shape.samples);
@@ -233,7 +235,7 @@ void chooseAmong(const FirstMaps& first_maps, std::vector<Finalist> found, Stage
     result.chosen = static_cast<int>(at - answers.begin());
     result.score = chosen.best.likeness();
     result.hands = chosen.best.hands;
-    result.trust = trustIn(result);
+    setTrust(trustIn(result), result);
   });
 }
 
@@ -323,7 +325,7 @@ Attempt extendedAnswer(const GivenShape& source,
       clock.stage("extending", 0, [&] { return extendedFinalist(first.coarseSides(), known); });
   chooseAmong(first, {std::move(extended)}, clock);
   chosen.result.score = chosen.best.score.totalOfPiece() + chosen.best.hands;
-  chosen.result.trust = trustIn(chosen.result);
+  setTrust(trustIn(chosen.result), chosen.result);
   return attemptAt(first.chosen, options, clock);
 }
 

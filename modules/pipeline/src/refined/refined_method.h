@@ -18,7 +18,7 @@ struct BegunAttempt {
   double score = std::numeric_limits<double>::infinity();
 
   /// \param known  an answer found otherwise, in the numbering of both inputs; null: none. Where it
-  /// is trusted and the best finalist agrees with it, none is changed any more.
+  /// is trusted and the best finalist agrees with it, parts are not let go of.
   /// \param may_stop  whether to give the attempt up, to nothing, where the known answer stands
   /// (knownStands() in answer/shared_verdict.h). Called once.
   std::function<std::optional<Attempt>(const RegistrationResult* known, bool may_stop)> goOn;
@@ -42,7 +42,7 @@ Attempt refinedMethod(const GivenShape& source,
 /// An answer found with a part of a side, extended over both as far as they lie on each other. Its
 /// score is MapScore::totalOfPiece() of that map, and what it pays for hands on the other side.
 /// \param known  finished, in the numbering of both inputs.
-/// \throws TornSurface  a surface cannot be bent; std::runtime_error  the answer maps too little
+/// \throws TornSurface  a surface cannot be bent; NoWayOn  the answer maps too little
 Attempt extendedAnswer(const GivenShape& source,
                        const GivenShape& target,
                        const RegistrationResult& known,

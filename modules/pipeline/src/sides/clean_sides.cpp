@@ -6,16 +6,31 @@
 #include <posture/mesh/denoise.h>
 
 #include <stdexcept>
+#include <vector>
 
 namespace posture {
 namespace {
+
+/// What leaving it out looks like to cleanMesh() is no fault of the mesh.
+void forgetBackground(const SideSurface& surface, CleaningSummary& summary) {
+  const Background& background = surface.background;
+  if (background.faces == 0) return;
+  std::vector<char> is_corner(background.vertices.size(), 0);
+  for (int v : surface.mesh.faces.reshaped()) is_corner[v] = 1;
+  int unreferenced = 0, loose = 0;
+  for (std::size_t v = 0; v < is_corner.size(); ++v)
+    if (background.vertices[v] != 0) ++(is_corner[v] != 0 ? loose : unreferenced);
+  summary.degenerate_faces -= background.faces;
+  summary.unreferenced_vertices -= unreferenced;
+  summary.loose_vertices -= loose;
+}
 
 CleanMesh cleanSide(const std::string& side, SideSurface& surface) {
   try {
     if (!surface.scan) surface.denoising = denoise(surface.mesh);
     surface.background = leaveOutBackground(surface.mesh);
     CleanMesh clean = cleanMesh(surface.mesh);
-    clean.summary.degenerate_faces -= surface.background.faces;
+    forgetBackground(surface, clean.summary);
     return clean;
   } catch (const InputError& error) {
     throw InputError(side + " " + error.what());

@@ -10,7 +10,6 @@
 #include <posture/mesh/position_of.h>
 #include <posture/mesh/vertex_neighbors.h>
 
-#include "answer/verdict.h"
 #include <tuple>
 #include <utility>
 
@@ -107,16 +106,15 @@ std::vector<int> perPoint(const ScanSurface& scan, const std::vector<int>& targe
 }
 
 /// A map between surfaces as one between the shapes they were laid through.
+/// \param to_points  null: it is a mesh
 Correspondence betweenShapes(const SideSurface& from,
                              const SideSurface& to,
-                             const PointCloud& to_cloud,
+                             const CloudPoints* to_points,
                              Correspondence map) {
   if (from.scan) map = perPoint(*from.scan, from.mesh, to.mesh, map);
-  if (to.scan) {
-    const CloudPoints points(to_cloud, *to.scan);
+  if (to_points != nullptr)
     for (SurfacePoint& place : map.on_target)
-      if (place.vertex >= 0) place.vertex = points.nearest(positionOf(to.mesh, place));
-  }
+      if (place.vertex >= 0) place.vertex = to_points->nearest(positionOf(to.mesh, place));
   return map;
 }
 
@@ -157,29 +155,34 @@ void referToPoints(const Shape& source,
   for (HypothesisSummary& hypothesis : result.hypotheses)
     vertex_maps.push_back(&hypothesis.target_vertex);
 
+  std::optional<CloudPoints> source_points, target_points;
+  if (target_surface.scan) target_points.emplace(target.cloud, *target_surface.scan);
   for (Correspondence* map : maps)
-    *map = betweenShapes(source_surface, target_surface, target.cloud, std::move(*map));
-  if (result.back)
-    result.back->correspondence = betweenShapes(
-        target_surface, source_surface, source.cloud, std::move(result.back->correspondence));
+    *map = betweenShapes(
+        source_surface, target_surface, target_points ? &*target_points : nullptr, std::move(*map));
+  if (result.back) {
+    if (source_surface.scan) source_points.emplace(source.cloud, *source_surface.scan);
+    result.back->correspondence = betweenShapes(target_surface,
+                                                source_surface,
+                                                source_points ? &*source_points : nullptr,
+                                                std::move(result.back->correspondence));
+  }
   if (source_surface.scan) {
     const ScanSurface& scan = *source_surface.scan;
     for (std::vector<int>* map : vertex_maps) *map = perPoint(scan, *map);
     result.surface_deformed = std::move(result.deformed);
     result.deformed = movedPoints(scan.mesh, result.surface_deformed, source.cloud);
   }
-  if (target_surface.scan) {
-    const CloudPoints points(target.cloud, *target_surface.scan);
+  if (target_points) {
     std::vector<int> point_at(target_surface.mesh.vertices.rows());
     for (int v = 0; v < static_cast<int>(point_at.size()); ++v)
-      point_at[v] = points.nearest(target_surface.mesh.vertices.row(v));
+      point_at[v] = target_points->nearest(target_surface.mesh.vertices.row(v));
     for (std::vector<int>* map : vertex_maps)
       for (int& t : *map)
         if (t >= 0) t = point_at[t];
   }
   result.source_scan = std::move(source_surface.scan);
   result.target_scan = std::move(target_surface.scan);
-  if (result.status == Status::REGISTERED) result.message = mappedMessage(result);
 }
 
 }  // namespace posture

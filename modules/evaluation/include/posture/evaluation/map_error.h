@@ -74,7 +74,7 @@ bool choseWrong(const CandidateError& chosen, const CandidateError& best);
 
 /// A map against the left-right mirrored answer.
 struct MirrorComparison {
-  int pairs = 0;             ///< mapped source vertices with both a truth and a mirror truth
+  int pairs = 0;             ///< compared: mapped source vertices with a truth and a mirror truth
   double mean_to_truth = 0;  ///< relative errors; NaN where pairs is 0
   double mean_to_mirror = 0;
   double share_nearer_mirror = 0;  ///< of the pairs

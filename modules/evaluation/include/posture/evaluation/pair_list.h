@@ -29,8 +29,8 @@ struct BenchmarkPair {
 /// target may be left out). Fields may be quoted; paths are
 /// relative to the file's folder.
 /// \throws InputError  cannot be read, a column is missing, no pair is listed, a row has too few or
-///         too many fields, an id is empty, used twice or no file name (letters, digits, '.', '_',
-///         '-', at most 200).
+///         too many fields, an id is empty, used twice or no file name (letters, digits, '_', '-',
+///         '.' but not first, at most 200).
 std::vector<BenchmarkPair> readPairList(const std::filesystem::path& path);
 
 /// The records of a CSV text (RFC 4180: fields quoted where they hold commas, quotes or line

@@ -14,7 +14,7 @@ struct ShapeSegments {
   RigidSegments parts;  ///< of `surface`; motions in the frames of the shapes as given
   CleanMesh surface;    ///< main surface of the mesh, given or laid through the points
   /// Part of each vertex (point) as given. Loose pieces belong to the part next to them. -1: a
-  /// point that was not seen, or an outlier.
+  /// point that was not seen, an outlier, or a vertex or point of a floor or a wall.
   std::vector<int> label;
   /// One vector a pose, one number a part: root mean square distance of its vertices from where its
   /// motion has them, in the unit of the pose.

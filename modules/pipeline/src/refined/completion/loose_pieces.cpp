@@ -70,7 +70,6 @@ class Placing {
  public:
   Placing(const GivenShape& source, const GivenShape& target, RegistrationResult& result)
       : source_(source),
-        target_(target),
         result_(result),
         normals_(inputNormals(source)),
         rim_(inputRim(source)),
@@ -209,7 +208,7 @@ class Placing {
     }
   }
 
-  const GivenShape &source_, &target_;
+  const GivenShape& source_;
   RegistrationResult& result_;
   Points normals_;
   std::vector<char> rim_;

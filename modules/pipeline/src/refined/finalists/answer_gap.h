@@ -15,4 +15,7 @@ inline double answerGap(const SampledShape& target) { return 2 * target.spacing;
 /// unit, as the body's area is about one.
 double gapBetween(const TriangleMesh& target, const VertexMaps& x, const VertexMaps& y);
 
+/// The same over the vertices that have a counterpart under both; infinite where there are none.
+double gapBetween(const TriangleMesh& target, const BentPair& x, const BentPair& y);
+
 }  // namespace posture

@@ -56,21 +56,6 @@ double scoreToBeat(const SpectralSurface& source,
   return std::min(finalist.score.total(), scoreBent(source, target, pair, false).total());
 }
 
-/// Mean distance between where two maps take the vertices that have a counterpart under both;
-/// infinite where there are none.
-double gapBetween(const SpectralSurface& target, const BentPair& x, const BentPair& y) {
-  double sum = 0;
-  int both = 0;
-  for (std::size_t v = 0; v < x.maps.forward.size(); ++v) {
-    if (isApart(x.apart_a, v) || isApart(y.apart_a, v)) continue;
-    ++both;
-    sum +=
-        (target.mesh.vertices.row(x.maps.forward[v]) - target.mesh.vertices.row(y.maps.forward[v]))
-            .norm();
-  }
-  return both > 0 ? sum / both : std::numeric_limits<double>::infinity();
-}
-
 /// The finalist with another map, if that looks like one body and keeps the outside out.
 std::optional<Finalist> withMap(const SpectralSurface& source,
                                 const SpectralSurface& target,
@@ -195,7 +180,8 @@ std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
       // The same answer once more, less of the body mapped, is no better.
       double known = from.before;
       for (const Begun& other : begun)
-        if (gapBetween(target, one.pair, other.pair) <= gap) known = std::min(known, other.before);
+        if (gapBetween(target.mesh, one.pair, other.pair) <= gap)
+          known = std::min(known, other.before);
       if (one.score.total() < known - SCORE_NOISE)
         grown.push_back({*from.finalist, std::move(one.pair), one.score, false});
     }

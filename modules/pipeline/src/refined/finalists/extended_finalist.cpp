@@ -4,9 +4,9 @@
 
 #include <posture/refine/extend_map.h>
 
+#include "no_way_on.h"
 #include "refined/work/coarse_map.h"
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace posture {
@@ -22,7 +22,7 @@ Finalist extendedFinalist(const CoarseSides& sides, const RegistrationResult& kn
   finalist.orientation = orientation(source, target, finalist.maps);
   finalist.score = extended.score;
   if (finalist.orientation <= LEAST_ORIENTATION || !std::isfinite(finalist.score.total()))
-    throw std::runtime_error("the answer does not go on");
+    throw NoWayOn("the answer does not go on");
   finalist.bent = std::move(extended.pair);
   return finalist;
 }

@@ -12,7 +12,7 @@ namespace posture {
 /// An answer, in the numbering of both inputs, as a map between the coarse surfaces, extended
 /// (extendMap()) over what of both then lies on each other.
 /// \param known  finished: the source is deformed.
-/// \throws std::runtime_error  it maps nothing of the coarse surfaces, or turns one inside out;
+/// \throws NoWayOn  it maps nothing of the coarse surfaces, or turns one inside out;
 /// TornSurface
 Finalist extendedFinalist(const CoarseSides& sides, const RegistrationResult& known);
 

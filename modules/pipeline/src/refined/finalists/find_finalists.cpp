@@ -131,7 +131,8 @@ class FinalistSearch {
 };
 
 bool FinalistSearch::leadsWhereKnown() const {
-  if (known_.result == nullptr || !isDecided(*known_.result) || found_.empty()) return false;
+  if (known_.result == nullptr || known_.result->status != Status::REGISTERED || found_.empty())
+    return false;
   const Finalist& best = found_.front();
   const std::vector<char> apart = best.bent ? best.bent->apart_a : std::vector<char>();
   const PosedSide &source = sides_.source_side, &target = sides_.target_side;

@@ -6,8 +6,8 @@
 #include <posture/mesh/edges.h>
 #include <posture/mesh/position_of.h>
 
+#include "no_way_on.h"
 #include <algorithm>
-#include <stdexcept>
 #include <vector>
 
 namespace posture {
@@ -84,7 +84,7 @@ void goBack(const TriangleMesh& source, const TriangleMesh& target, BentPair& pa
   std::vector<int> mapped;
   for (int v = 0; v < pair.bent_a.rows(); ++v)
     if (pair.apart_a[v] == 0) mapped.push_back(v);
-  if (mapped.empty()) throw std::runtime_error("the answer maps nothing");
+  if (mapped.empty()) throw NoWayOn("the answer maps nothing");
   const double near = std::max(meanEdgeLength(source), meanEdgeLength(target));
   pair.maps.backward.assign(to.rows(), 0);
   pair.apart_b.assign(to.rows(), 1);

@@ -13,7 +13,7 @@ namespace posture {
 /// An answer as a map between the coarse meshes of both sides. Apart is what has no counterpart in
 /// it on the target's main surface, and what of the target nothing comes to lie near.
 /// \param known  in the numbering of both inputs, finished: the source is deformed.
-/// \throws std::runtime_error  nothing of the coarse source has a counterpart
+/// \throws NoWayOn  nothing of the coarse source has a counterpart
 BentPair coarseMapOf(const PosedSide& source,
                      const PosedSide& target,
                      const RegistrationResult& known);

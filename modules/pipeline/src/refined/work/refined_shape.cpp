@@ -89,10 +89,14 @@ void reduceSide(int others, RefinedShape& shape) {
   shape.coarse = reduceMesh(shape.work.mesh, COARSE_VERTICES);
 }
 
-void addSpectrum(RefinedShape& shape) {
+void addSpectrum(const std::string& side, RefinedShape& shape) {
   const int n = static_cast<int>(shape.work.mesh.vertices.rows());
-  shape.basis = spectralBasis(cotangentLaplacian(shape.work.mesh),
-                              std::min(FUNCTIONS, n / VERTICES_PER_FUNCTION));
+  try {
+    shape.basis = spectralBasis(cotangentLaplacian(shape.work.mesh),
+                                std::min(FUNCTIONS, n / VERTICES_PER_FUNCTION));
+  } catch (const InputError& error) {
+    throw InputError(side + " " + error.what());
+  }
 }
 
 void addSamples(const std::string& side, RefinedShape& shape) {

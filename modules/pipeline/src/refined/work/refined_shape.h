@@ -47,7 +47,7 @@ RefinedShape fullSide(const std::string& side, const TriangleMesh& surface, bool
 /// Adds the meshes a side is worked on. \param others  vertices of the other side.
 void reduceSide(int others, RefinedShape& shape);
 
-void addSpectrum(RefinedShape& shape);
+void addSpectrum(const std::string& side, RefinedShape& shape);
 /// \throws InputError  too few to tell a shape; names the side.
 void addSamples(const std::string& side, RefinedShape& shape);
 

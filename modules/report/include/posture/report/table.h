@@ -22,7 +22,8 @@ std::string toCsv(const TextTable& table);       ///< RFC 4180, fields quoted wh
 /// With so many decimals, whatever the locale; "-" for infinity and NaN.
 std::string formatFixed(double value, int decimals);
 
-/// With so many significant digits, in the shorter of 0.00123 and 1.23e-3; "-" as above.
+/// With so many significant digits, 0.00123 or, where it is far from 1, 1.23e-06 (as %g of
+/// printf()); "-" as above.
 std::string formatShort(double value, int digits = 4);
 
 }  // namespace posture
