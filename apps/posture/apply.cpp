@@ -70,15 +70,17 @@ StoredDeformation readDeformation(const fs::path& folder) {
   }
 }
 
-/// Whether most points are farther from the box around a surface than its diagonal is long.
-bool areFarOff(const Points& points, const Points& surface) {
+/// How many points are farther from the box around a surface than its diagonal is long.
+Eigen::Index farOff(const Points& points, const Points& surface) {
   const Eigen::RowVector3d low = surface.colwise().minCoeff(), high = surface.colwise().maxCoeff();
   const double size = (high - low).norm();
-  const auto far =
-      std::count_if(points.rowwise().begin(), points.rowwise().end(), [&](const auto& p) {
-        return (p - p.cwiseMax(low).cwiseMin(high)).norm() > size;
-      });
-  return 2 * far > points.rows();
+  return std::count_if(points.rowwise().begin(), points.rowwise().end(), [&](const auto& p) {
+    return (p - p.cwiseMax(low).cwiseMin(high)).norm() > size;
+  });
+}
+
+std::string counted(Eigen::Index points) {
+  return std::to_string(points) + (points == 1 ? " point" : " points");
 }
 
 void applyVerb(const ApplyOptions& options, Common& common) {
@@ -91,7 +93,9 @@ void applyVerb(const ApplyOptions& options, Common& common) {
   requireNoInput(options.output, {options.points});
   checkWritable(options.output);  // now, not after the work
   const std::vector<int> seen = finiteRows(shape.cloud.points);
-  if (areFarOff(shape.cloud.points(seen, Eigen::all), stored.rest.vertices))
+  const auto count = static_cast<Eigen::Index>(seen.size());
+  const Eigen::Index far = farOff(shape.cloud.points(seen, Eigen::all), stored.rest.vertices);
+  if (2 * far > count)
     throw InputError(options.points.string() +
                      ": is nowhere near SOURCE: in another unit, or another frame?");
   shape.cloud = applyDeformation(stored, std::move(shape.cloud));
@@ -106,9 +110,11 @@ void applyVerb(const ApplyOptions& options, Common& common) {
     std::fprintf(stderr, "posture: %s: %s\n", options.folder.c_str(), doubt.c_str());
   }
   if (common.json)
-    std::printf("%s\n", Json{{"points", seen.size()}}.dump().c_str());
+    std::printf("%s\n", Json{{"points", count}, {"far", far}}.dump().c_str());
   else if (!common.quiet)
-    std::printf("%zu %s moved\n", seen.size(), seen.size() == 1 ? "point" : "points");
+    std::printf("%s moved%s\n",
+                counted(count).c_str(),
+                far > 0 ? (", " + counted(far) + " of them far from SOURCE").c_str() : "");
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "folder.h"
 #include "pair_data.h"
 #include "pair_selection.h"
-#include "run_progress.h"
 #include "verbs.h"
 #include <algorithm>
 #include <cstdio>
@@ -59,26 +58,16 @@ void benchmark(const BenchmarkOptions& options, const Common& common) {
   const std::vector<BenchmarkPair> pairs = readPairList(options.list);
   options.selection.check(pairs);
   checkTexts(options.list, pairs);
-  makeFolder(options.folder / "pairs");
-  requireNoInput(options.folder, {"results.csv"}, {options.list});
+  const OutputFolder folder(options.folder / "pairs");
+  std::vector<fs::path> inputs = filesOf(pairs);
+  inputs.push_back(options.list);
+  requireNoInput(options.folder, benchmarkReportFiles(), inputs);
   checkWritable(options.folder / "RESULTS.md");  // now, not after hours
 
-  const auto asked = static_cast<std::size_t>(std::count_if(
-      pairs.begin(), pairs.end(), [&](const auto& pair) { return options.selection.has(pair); }));
-  RunProgress progress(common.quiet, asked);
-  std::vector<Json> results;  // of the whole list, so that a part run again updates its lines
-  for (const BenchmarkPair& pair : pairs) {
-    const ChildRun run = childRun(pair, options, common);
-    Json result = storedResult(run);
-    if (options.selection.has(pair)) {
-      progress.begin(pair.id);
-      if (options.fresh || result.is_null() || wasCutShort(result)) {
-        result = runInChild(run, [&] { progress.wait(); });
-        progress.end(result);
-      }
-    }
-    if (!result.is_null()) results.push_back(std::move(result));
-  }
+  std::vector<PlannedRun> runs;
+  for (const BenchmarkPair& pair : pairs)
+    runs.push_back({childRun(pair, options, common), pair.id, options.selection.has(pair)});
+  const std::vector<Json> results = runAll(runs, options.fresh, common.quiet);
   const Json summary = writeBenchmarkReport(results, pairs.size(), options.folder);
   if (common.json)
     std::cout << documentText(summary);

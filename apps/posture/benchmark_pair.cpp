@@ -4,13 +4,13 @@
 
 #include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
-#include <posture/evaluation/statistics.h>
+#include <posture/evaluation/map_error.h>
 #include <posture/report/peak_memory.h>
 
 #include "child_run.h"
+#include "judge_map.h"
 #include "pair_data.h"
 #include "register_files.h"
-#include "target_places.h"
 #include <chrono>
 #include <omp.h>
 
@@ -50,18 +50,11 @@ void judgeErrors(const BenchmarkPair& pair,
                  const PairData& data,
                  const RegistrationResult& result,
                  Json& json) {
-  const TargetPlaces target(
-      data.target, pair.target_surface, pair.target_surface_vertices, result.target_scan);
-  const TargetMetric metric(target.mesh());
-  const std::vector<SurfacePoint> map = target.onMesh(result.correspondence.on_target);
-  const std::vector<VertexPair> truth = target.onMesh(data.truth);
-  const std::vector<SurfacePoint> at_vertices = atVertices(map);
-  json["errors"] = toJson(measureErrors(metric, at_vertices, truth));
-  json["subvertex_mean_x100"] = 100 * mean(measureErrors(metric, map, truth).relative_error);
-  json["candidates"] = judgeCandidates(metric, target, truth, result);
-  if (!data.mirror_truth.empty())
-    json["mirror"] =
-        toJson(compareWithMirror(metric, at_vertices, truth, target.onMesh(data.mirror_truth)));
+  const TargetPlaces target = placesOf(pair, data, result.target_scan);
+  const TargetMetric metric = target.metric();
+  json.update(
+      judgeMap(target, metric, result.correspondence.on_target, data.truth, data.mirror_truth));
+  json["candidates"] = judgeCandidates(metric, target, target.onMesh(data.truth), result);
 }
 
 void judgeFit(const PairData& data, const RegistrationResult& result, Json& json) {

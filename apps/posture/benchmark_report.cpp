@@ -57,6 +57,10 @@ std::vector<NamedSeries> seriesOf(const Json& families, const char* key) {
 
 }  // namespace
 
+std::vector<std::string> benchmarkReportFiles() {
+  return {"results.csv", "results.json", "RESULTS.md", "curves.svg", "histogram.svg", "trust.svg"};
+}
+
 Json writeBenchmarkReport(const std::vector<Json>& results,
                           std::size_t listed,
                           const std::filesystem::path& folder) {

@@ -5,6 +5,7 @@
 #include "error_json.h"
 #include "trust_curve.h"
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace posture::app {
@@ -19,6 +20,9 @@ std::string benchmarkPage(const std::vector<Json>& results,
                           const Json& families,
                           const TrustCurve& trust,
                           std::size_t listed);
+
+/// What writeBenchmarkReport() may write.
+std::vector<std::string> benchmarkReportFiles();
 
 /// Writes results.csv, results.json, RESULTS.md, curves.svg, histogram.svg and,
 /// where good and bad pairs are there to tell apart, trust.svg into `folder`;

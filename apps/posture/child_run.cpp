@@ -4,11 +4,19 @@
 
 #include "child_process.h"
 #include "folder.h"
+#include "run_progress.h"
+#include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <functional>
+#include <utility>
 
 namespace posture::app {
 
+namespace {
+
+/// Perhaps of a run that was cut short; null where there is none, it is damaged or is of another
+/// run.
 Json storedResult(const ChildRun& run) {
   std::ifstream file(run.result_file);
   Json json = Json::parse(file, nullptr, false);
@@ -18,6 +26,7 @@ Json storedResult(const ChildRun& run) {
   return json;
 }
 
+/// Crashed or took too long.
 bool wasCutShort(const Json& result) { return result.value("cut_short", false); }
 
 Json runInChild(const ChildRun& run, const std::function<void()>& waiting) {
@@ -32,6 +41,28 @@ Json runInChild(const ChildRun& run, const std::function<void()>& waiting) {
     writeText(run.result_file, documentText(result));
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<Json> runAll(const std::vector<PlannedRun>& runs, bool fresh, bool quiet) {
+  RunProgress progress(
+      quiet, static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), [](const auto& p) {
+        return p.is_asked_for;
+      })));
+  std::vector<Json> results;
+  for (const PlannedRun& planned : runs) {
+    Json result = storedResult(planned.run);
+    if (planned.is_asked_for) {
+      progress.begin(planned.title);
+      if (fresh || result.is_null() || wasCutShort(result)) {
+        result = runInChild(planned.run, [&] { progress.wait(); });
+        progress.end(result);
+      }
+    }
+    if (!result.is_null()) results.push_back(std::move(result));
+  }
+  return results;
 }
 
 Json failedRun(const Json& described, const std::string& status, const std::string& message) {

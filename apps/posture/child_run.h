@@ -4,7 +4,6 @@
 
 #include "json_document.h"
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,15 +17,19 @@ struct ChildRun {
   double time_limit = 0;
 };
 
-/// The stored result, perhaps of a run that was cut short; null where there is none, it is damaged
-/// or is of another run.
-Json storedResult(const ChildRun& run);
+/// One of many.
+struct PlannedRun {
+  ChildRun run;
+  std::string title;
+  bool is_asked_for = true;  ///< else only a result that is there already is wanted
+};
 
-/// Whether the run crashed or took too long: it may come out otherwise another time.
-bool wasCutShort(const Json& result);
-
-/// Runs it, whatever is stored. A run that crashes or takes too long has a result that says so.
-Json runInChild(const ChildRun& run, const std::function<void()>& waiting);
+/// What is asked for is run where it has no stored result, or one of a run that crashed or took too
+/// long, which may come out otherwise another time. Such a run has a result that says so.
+/// \param fresh  run whatever is stored
+/// \return the results there are then, in order: with those of a list in one place, a part that is
+///         run again updates its lines.
+std::vector<Json> runAll(const std::vector<PlannedRun>& runs, bool fresh, bool quiet);
 
 /// The result of a run that came to nothing.
 /// \param status  "not run": the input cannot be used; "failed": crashed or took too long.

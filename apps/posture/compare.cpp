@@ -11,7 +11,6 @@
 #include "folder.h"
 #include "pair_data.h"
 #include "pair_selection.h"
-#include "run_progress.h"
 #include "verbs.h"
 #include <algorithm>
 #include <cstdio>
@@ -77,9 +76,9 @@ std::vector<BenchmarkPair> pairsOf(const CompareOptions& options) {
 }
 
 /// All there are, in the order of the tables.
-std::vector<ComparedRun> runsOf(const CompareOptions& options, const Common& common) {
+std::vector<ComparedRun> runsOf(const std::vector<BenchmarkPair>& pairs, const Common& common) {
   std::vector<ComparedRun> runs;
-  for (const BenchmarkPair& pair : pairsOf(options))
+  for (const BenchmarkPair& pair : pairs)
     for (const std::string& variation : variations())
       for (const std::string& method : methodKeys())
         runs.push_back({pair, method, variation, common.seed});
@@ -91,9 +90,12 @@ ChildRun childRun(const ComparedRun& run, const CompareOptions& options, const C
   child.described = describeRun(run);
   child.result_file =
       options.folder / "runs" / (run.pair.id + "." + run.variation + "." + run.method + ".json");
-  child.arguments = {"compare-run", child.described.dump(), child.result_file.string()};
+  child.arguments = {"compare-run"};
   if (common.threads > 0)
     child.arguments.insert(child.arguments.end(), {"--threads", std::to_string(common.threads)});
+  // A folder may begin with a dash.
+  child.arguments.insert(child.arguments.end(),
+                         {"--", child.described.dump(), child.result_file.string()});
   child.time_limit = options.time_limit;
   return child;
 }
@@ -105,26 +107,18 @@ void print(const Comparison& comparison, const fs::path& folder) {
 }
 
 void compare(const CompareOptions& options, const Common& common) {
-  const std::vector<ComparedRun> runs = runsOf(options, common);
-  makeFolder(options.folder / "runs");
-  requireNoInput(options.folder, {"comparison.csv"}, {options.source});
+  const std::vector<BenchmarkPair> pairs = pairsOf(options);
+  const OutputFolder folder(options.folder / "runs");
+  std::vector<fs::path> inputs = filesOf(pairs);
+  inputs.push_back(options.source);  // where it is a list
+  requireNoInput(options.folder, comparisonFiles(), inputs);
   checkWritable(options.folder / "comparison.md");
-  const auto asked = std::count_if(
-      runs.begin(), runs.end(), [&](const auto& run) { return isAsked(run, options); });
-  RunProgress progress(common.quiet, static_cast<std::size_t>(asked));
-  std::vector<Json> results;  // also of what is not asked for now, where it was before
-  for (const ComparedRun& run : runs) {
-    const ChildRun child = childRun(run, options, common);
-    Json result = storedResult(child);
-    if (isAsked(run, options)) {
-      progress.begin(run.pair.id + " " + run.variation + " " + run.method);
-      if (options.fresh || result.is_null() || wasCutShort(result)) {
-        result = runInChild(child, [&] { progress.wait(); });
-        progress.end(result);
-      }
-    }
-    if (!result.is_null()) results.push_back(std::move(result));
-  }
+  std::vector<PlannedRun> planned;
+  for (const ComparedRun& run : runsOf(pairs, common))
+    planned.push_back({childRun(run, options, common),
+                       run.pair.id + " " + run.variation + " " + run.method,
+                       isAsked(run, options)});
+  const std::vector<Json> results = runAll(planned, options.fresh, common.quiet);
   const Comparison comparison = summarizeRuns(results);
   const Json summary = writeComparison(results, comparison, options.folder);
   if (common.json)

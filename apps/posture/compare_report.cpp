@@ -89,6 +89,12 @@ std::string page(const Comparison& comparison, const std::vector<std::string>& c
 
 }  // namespace
 
+std::vector<std::string> comparisonFiles() {
+  std::vector<std::string> files{"comparison.csv", "comparison.json", "comparison.md"};
+  for (const std::string& variation : variations()) files.push_back(curveFile(variation));
+  return files;
+}
+
 Json writeComparison(const std::vector<Json>& runs,
                      const Comparison& comparison,
                      const std::filesystem::path& folder) {

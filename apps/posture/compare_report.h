@@ -21,6 +21,9 @@ struct Comparison {
 /// \param runs  in the order of the tables.
 Comparison summarizeRuns(const std::vector<Json>& runs);
 
+/// What writeComparison() may write.
+std::vector<std::string> comparisonFiles();
+
 /// Writes comparison.csv, comparison.json, comparison.md and, of each variation with a truth,
 /// curves-VARIATION.svg into `folder`; returns what comparison.json holds.
 Json writeComparison(const std::vector<Json>& runs,

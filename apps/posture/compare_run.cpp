@@ -12,9 +12,9 @@
 
 #include "child_run.h"
 #include "compare_variation.h"
+#include "judge_map.h"
 #include "pair_data.h"
 #include "register_files.h"
-#include "target_places.h"
 #include <omp.h>
 
 namespace posture::app {
@@ -114,28 +114,15 @@ void restoreOrder(const std::vector<int>& given, Outcome& outcome) {
   }
 }
 
-void judgeErrors(const BenchmarkPair& pair,
-                 const PairData& data,
-                 const Outcome& outcome,
-                 Json& json) {
-  const TargetPlaces target(
-      data.target, pair.target_surface, pair.target_surface_vertices, outcome.target_scan);
-  const TargetMetric metric(target.mesh());
-  const std::vector<SurfacePoint> map = atVertices(target.onMesh(outcome.on_target));
-  const std::vector<VertexPair> truth = target.onMesh(data.truth);
-  json["errors"] = toJson(measureErrors(metric, map, truth));
-  if (!data.mirror_truth.empty())
-    json["mirror"] =
-        toJson(compareWithMirror(metric, map, truth, target.onMesh(data.mirror_truth)));
-}
-
 void judge(const BenchmarkPair& pair, const PairData& data, const Outcome& outcome, Json& json) {
   json["mapped"] = mappedCount(outcome.on_target);
   const Closeness close = measureCloseness(outcome.registered, data.target.cloud.points);
   json["mean_distance"] = close.mean_distance;
   json["source_near"] = close.moved_near;
   json["target_near"] = close.target_near;
-  if (!data.truth.empty()) judgeErrors(pair, data, outcome, json);
+  if (data.truth.empty()) return;
+  const TargetPlaces target = placesOf(pair, data, outcome.target_scan);
+  json.update(judgeMap(target, target.metric(), outcome.on_target, data.truth, data.mirror_truth));
 }
 
 Json registerAndJudge(const ComparedRun& run) {

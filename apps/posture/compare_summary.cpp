@@ -245,7 +245,7 @@ std::string methodsAre(const Cells& names) {
   return (names.size() == 1 ? "method is " : "methods are ") + listed(names);
 }
 
-/// "posture failed"; empty: it has an answer, or was not run.
+/// "posture failed"; empty: it has an answer, or there is no run of it.
 std::string lackOfOurs(const Runs& of_pair) {
   for (const Json& run : where(of_pair, "method", "posture"))
     if (!run.contains("errors")) return "posture " + textAt(run, "status");

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
-#include <posture/evaluation/statistics.h>
 #include <posture/evaluation/truth.h>
 #include <posture/io/correspondence_io.h>
 #include <posture/io/shape_io.h>
@@ -11,7 +10,7 @@
 #include "error_json.h"
 #include "error_plots.h"
 #include "folder.h"
-#include "pair_data.h"
+#include "judge_map.h"
 #include "target_places.h"
 #include "verbs.h"
 #include <algorithm>
@@ -20,6 +19,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace posture::app {
 namespace {
@@ -29,18 +29,6 @@ namespace fs = std::filesystem;
 struct EvaluateOptions {
   fs::path map, truth, target, mirror, surface, surface_vertices, folder;
 };
-
-/// Errors about the target name its file.
-template <class Make>
-auto ofTarget(const EvaluateOptions& options, const Make& make) {
-  try {
-    return make();
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    const bool named = message.find(": ") != std::string::npos;
-    throw InputError(named ? message : options.target.string() + ": " + message);
-  }
-}
 
 /// A cloud's places have faces of a surface that is not at hand: their points are checked alone.
 void checkMap(const EvaluateOptions& options, const Shape& target, std::vector<SurfacePoint> map) {
@@ -56,20 +44,26 @@ Json measure(const EvaluateOptions& options) {
   const std::vector<SurfacePoint> map = readCorrespondence(options.map).on_target;
   checkMap(options, target, map);
   const int n = static_cast<int>(map.size()), m = static_cast<int>(target.cloud.points.rows());
-  const std::vector<VertexPair> truth = readTruth(options.truth, n, m);
+  const auto read = [&](const fs::path& pairs) {
+    try {
+      return readTruth(pairs, n, m);
+    } catch (const InputError& error) {  // or is it the map that is not whole?
+      throw InputError(std::string(error.what()) + "; rows of " + options.map.string() + ": " +
+                       std::to_string(n));
+    }
+  };
+  const std::vector<VertexPair> truth = read(options.truth);
   std::vector<VertexPair> mirror_truth;
-  if (!options.mirror.empty()) mirror_truth = readTruth(options.mirror, n, m);
+  if (!options.mirror.empty()) mirror_truth = read(options.mirror);
 
-  const TargetPlaces places = ofTarget(
-      options, [&] { return TargetPlaces(target, options.surface, options.surface_vertices, {}); });
-  const TargetMetric metric = ofTarget(options, [&] { return TargetMetric(places.mesh()); });
-  const std::vector<SurfacePoint> placed = places.onMesh(map), at_vertices = atVertices(placed);
-  const std::vector<VertexPair> pairs = places.onMesh(truth);
-  Json json = toJson(measureErrors(metric, at_vertices, pairs));
-  json["subvertex_mean_x100"] = 100 * mean(measureErrors(metric, placed, pairs).relative_error);
-  if (!mirror_truth.empty())
-    json["mirror"] =
-        toJson(compareWithMirror(metric, at_vertices, pairs, places.onMesh(mirror_truth)));
+  const TargetPlaces places =
+      options.surface.empty()
+          ? TargetPlaces(options.target, target, std::nullopt)
+          : TargetPlaces(options.target, target, options.surface, options.surface_vertices);
+  Json judged = judgeMap(places, places.metric(), map, truth, mirror_truth);
+  Json json = std::move(judged["errors"]);
+  judged.erase("errors");
+  json.update(judged);
   return json;
 }
 
@@ -127,8 +121,9 @@ void writeFigures(const fs::path& folder, const Json& json) {
 }
 
 void evaluate(const EvaluateOptions& options, const Common& common) {
+  std::optional<OutputFolder> folder;
   if (!options.folder.empty()) {
-    makeFolder(options.folder);
+    folder.emplace(options.folder);
     const std::vector<std::string> files{
         "evaluation.json", "curve.csv", "curve.svg", "histogram.svg"};
     requireNoInput(options.folder,

@@ -9,10 +9,23 @@
 
 namespace posture::app {
 
-void makeFolder(const std::filesystem::path& folder) {
+OutputFolder::OutputFolder(const std::filesystem::path& folder) {
   std::error_code error;
+  for (std::filesystem::path part = folder.lexically_normal();
+       !part.empty() && !std::filesystem::exists(part, error);
+       part = part.parent_path())
+    if (part.has_filename()) made_.push_back(part);
   std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(folder.string() + ": cannot be made (" + error.message() + ")");
+  if (!error) return;
+  removeEmpty();
+  throw InputError(folder.string() + ": cannot be made (" + error.message() + ")");
+}
+
+OutputFolder::~OutputFolder() { removeEmpty(); }
+
+void OutputFolder::removeEmpty() noexcept {
+  std::error_code error;
+  for (const std::filesystem::path& part : made_) std::filesystem::remove(part, error);
 }
 
 void requireNoInput(const std::filesystem::path& output,

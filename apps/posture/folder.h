@@ -8,8 +8,21 @@
 
 namespace posture::app {
 
-/// Makes the folder with its parents. \throws InputError  it cannot be made.
-void makeFolder(const std::filesystem::path& folder);
+/// A folder for results, made with its parents where it is not there. What was made of them goes
+/// again where nothing came into it: a run that fails leaves no empty folders.
+class OutputFolder {
+ public:
+  /// \throws InputError  it cannot be made.
+  explicit OutputFolder(const std::filesystem::path& folder);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+ private:
+  void removeEmpty() noexcept;
+
+  std::vector<std::filesystem::path> made_;  // innermost first
+};
 
 /// \throws InputError  the output is one of the files that are read, or a link to one.
 void requireNoInput(const std::filesystem::path& output,

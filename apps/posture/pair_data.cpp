@@ -33,7 +33,29 @@ PairData readPair(const BenchmarkPair& pair) {
   const int m = static_cast<int>(data.target.cloud.points.rows());
   if (!pair.truth.empty()) data.truth = readTruth(pair.truth, n, m);
   if (!pair.mirror_truth.empty()) data.mirror_truth = readTruth(pair.mirror_truth, n, m);
+  if (!pair.target_surface.empty())
+    data.on_surface.emplace(
+        pair.target, data.target, pair.target_surface, pair.target_surface_vertices);
   return data;
+}
+
+TargetPlaces placesOf(const BenchmarkPair& pair,
+                      const PairData& data,
+                      const std::optional<ScanSurface>& scan) {
+  return data.on_surface ? *data.on_surface : TargetPlaces(pair.target, data.target, scan);
+}
+
+std::vector<std::filesystem::path> filesOf(const std::vector<BenchmarkPair>& pairs) {
+  std::vector<std::filesystem::path> files;
+  for (const BenchmarkPair& pair : pairs)
+    for (const std::filesystem::path& file : {pair.source,
+                                              pair.target,
+                                              pair.truth,
+                                              pair.mirror_truth,
+                                              pair.target_surface,
+                                              pair.target_surface_vertices})
+      if (!file.empty() && file != "identity") files.push_back(file);
+  return files;
 }
 
 Json describePair(const BenchmarkPair& pair, const std::string& method) {
@@ -72,11 +94,6 @@ void checkTexts(const std::filesystem::path& list, const std::vector<BenchmarkPa
   } catch (const InputError& error) {
     throw InputError(list.string() + ": " + error.what());
   }
-}
-
-std::vector<SurfacePoint> atVertices(std::vector<SurfacePoint> places) {
-  for (SurfacePoint& place : places) place.face = -1;
-  return places;
 }
 
 SurfaceFit fitOf(const Shape& source, const Shape& target, const RegistrationResult& result) {

@@ -55,7 +55,7 @@ void registerVerb(const RegisterOptions& options, Common& common) {
   bar.show("reading", 0);
   const ShapeFile source{options.source, readShape(options.source)},
       target{options.target, readShape(options.target)};
-  makeFolder(options.folder);
+  const OutputFolder folder(options.folder);
   requireNoResultFiles(options.folder, {options.source, options.target});
   checkWritable(options.folder / "report.json");  // now, not after minutes
   std::optional<StageDump> dump;

@@ -34,6 +34,11 @@ bool isNumbered(const std::string& name,
          std::find(ends.begin(), ends.end(), name.substr(end)) != ends.end();
 }
 
+bool isSegmentFile(const std::string& name) {
+  return name == SEGMENTS || name == "segments.csv" || name == "segments.json" ||
+         isNumbered(name, "pose-", {"_segments.ply"});
+}
+
 bool isResultFile(const std::string& name) {
   static const std::set<std::string> NAMES{"correspondence.csv",
                                            "correspondence_back.csv",
@@ -41,19 +46,14 @@ bool isResultFile(const std::string& name) {
                                            "registered_surface.ply",
                                            "report.html",
                                            "report.json",
-                                           SEGMENTS,
                                            "source_colored.ply",
                                            "source_surface.csv",
                                            "source_surface.ply",
                                            "target_colored.ply",
                                            "target_surface.csv",
                                            "target_surface.ply"};
-  return NAMES.count(name) > 0 || isNumbered(name, "alternative-", {".csv", "_target_colored.ply"});
-}
-
-bool isSegmentFile(const std::string& name) {
-  return name == SEGMENTS || name == "segments.csv" || name == "segments.json" ||
-         isNumbered(name, "pose-", {"_segments.ply"});
+  return NAMES.count(name) > 0 || isSegmentFile(name) ||
+         isNumbered(name, "alternative-", {".csv", "_target_colored.ply"});
 }
 
 /// Takes a file of an earlier result out of its folder; what cannot be removed is written over, or
@@ -152,9 +152,7 @@ void requireNoPartOfResult(const fs::path& folder, const fs::path& file) {
 
 void removeResultFiles(const fs::path& folder) {
   removeFrom(folder, "report.json");  // first: without it the folder is no result
-  const bool of_segment = fs::exists(folder / "segments.json");
-  for (const fs::path& name : namesIn(folder, isResultFile))
-    if (name != SEGMENTS || !of_segment) removeFrom(folder, name);
+  for (const fs::path& name : namesIn(folder, isResultFile)) removeFrom(folder, name);
 }
 
 void removeSegmentFiles(const fs::path& folder) {

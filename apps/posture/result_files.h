@@ -40,11 +40,11 @@ void requireNoSegmentFiles(const std::filesystem::path& folder,
 void requireNoPartOfResult(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 /// Takes an earlier result out of a folder, also one that was being written: the report first, then
-/// all that has a name of writeResultFiles().
+/// all that has a name of writeResultFiles(), and what `segment` wrote: the parts are now others.
 void removeResultFiles(const std::filesystem::path& folder);
 
-/// The same for what `segment` wrote, segments.json first. Both verbs write a segments.ply: where
-/// the other's result is there, it is left.
+/// What `segment` wrote, segments.json first. Both verbs write a segments.ply: where a result of
+/// `register` is there, it is left.
 void removeSegmentFiles(const std::filesystem::path& folder);
 
 /// A mesh stays a mesh, a cloud a cloud.

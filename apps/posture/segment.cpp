@@ -129,7 +129,7 @@ void segmentVerb(const SegmentOptions& options, Common& common) {
   const ShapeFile reference{options.reference, readShape(options.reference)};
   std::vector<ShapeFile> files;
   for (const fs::path& path : options.poses) files.push_back({path, readShape(path)});
-  makeFolder(options.folder);
+  const OutputFolder folder(options.folder);
   std::vector<fs::path> inputs = options.poses;
   inputs.push_back(options.reference);
   requireNoSegmentFiles(options.folder, inputs);

@@ -6,7 +6,6 @@
 #include <posture/io/text_file.h>
 #include <posture/report/colors.h>
 
-#include "folder.h"
 #include <cstdio>
 #include <sstream>
 #include <string>
@@ -44,10 +43,11 @@ void removeStages(const std::filesystem::path& folder) {
 }  // namespace
 
 StageDump::StageDump(std::filesystem::path folder, const std::vector<std::filesystem::path>& inputs)
-    : folder_(std::move(folder)) {
-  makeFolder(folder_);
+    : folder_(std::move(folder)), output_(folder_) {
   for (const auto& entry : std::filesystem::directory_iterator(folder_))
     if (isNameOfStage(entry.path().filename().string())) requireNoInput(entry.path(), inputs);
+  requireNoInput(folder_ / LIST, inputs);
+  checkWritable(folder_ / LIST);  // now, not after minutes
   removeStages(folder_);
 }
 

@@ -80,7 +80,7 @@ SynthesizedShape makeShape(const SynthesizeOptions& options, std::size_t i) {
 void synthesizeRigid(const SynthesizeOptions& options, const Common& common) {
   if (options.tessellations.size() > 1)
     throw CLI::ValidationError("--rigid", "takes one --tessellation, the source's");
-  makeFolder(options.folder);
+  const OutputFolder folder(options.folder);
   SynthesizedShape source, target;
   source.options = target.options = options.body;
   source.options.pose = target.options.pose = options.poses.front();
@@ -108,7 +108,7 @@ void synthesizeRigid(const SynthesizeOptions& options, const Common& common) {
 void synthesize(const SynthesizeOptions& options, const Common& common) {
   if (options.rigid) return synthesizeRigid(options, common);
   checkTogether(options);
-  makeFolder(options.folder);
+  const OutputFolder folder(options.folder);
   Json shapes = Json::array(), pairs = Json::array();
   PairList list(options.folder, options.scan);
   Json bones = Json::object();

@@ -27,47 +27,68 @@ double mostApart(const Points& points, const TriangleMesh& surface) {
   return std::min(2 * meanEdgeLength(surface) + NOISE * rootArea(surface), LITTLE * size);
 }
 
+/// Errors of what does not know the file name it.
+template <class Make>
+auto namingFile(const std::filesystem::path& path, const Make& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    throw InputError(path.string() + ": " + error.what());
+  }
+}
+
 }  // namespace
 
-TargetPlaces::TargetPlaces(const Shape& target,
-                           const std::filesystem::path& surface,
-                           const std::filesystem::path& vertices,
-                           const std::optional<ScanSurface>& scan) {
-  const Points& points = target.cloud.points;
-  itself_ = target.faces.rows() > 0 && surface.empty();
+TargetPlaces::TargetPlaces(const std::filesystem::path& path,
+                           const Shape& target,
+                           const std::optional<ScanSurface>& scan)
+    : path_(path), itself_(target.faces.rows() > 0) {
   if (itself_) {
-    mesh_ = {points, target.faces};
+    mesh_ = {target.cloud.points, target.faces};
     return;
   }
-  vertex_.assign(points.rows(), -1);
-  if (surface.empty()) {
-    const ScanSurface laid = scan ? *scan : reconstruct(target.cloud);
-    mesh_ = laid.mesh;
-    for (std::size_t i = 0; i < vertex_.size(); ++i) vertex_[i] = laid.on_mesh[i].vertex;
-    return;
-  }
-  mesh_ = readMesh(surface).mesh;
-  if (vertices.empty()) {
-    const PointIndex index(mesh_.vertices);
-    std::vector<double> distances;
-    for (int i = 0; i < points.rows(); ++i) {
-      if (!points.row(i).allFinite()) continue;
-      const PointIndex::Neighbor nearest = index.nearest(points.row(i));
-      vertex_[i] = nearest.index;
-      distances.push_back(nearest.distance);
-    }
-    if (!distances.empty() && median(std::move(distances)) > mostApart(points, mesh_))
-      throw InputError(surface.string() +
-                       ": is not where the target is: in another unit, or another frame?");
-    return;
-  }
+  const ScanSurface laid =
+      scan ? *scan : namingFile(path_, [&] { return reconstruct(target.cloud); });
+  mesh_ = laid.mesh;
+  for (const SurfacePoint& place : laid.on_mesh) vertex_.push_back(place.vertex);
+}
+
+TargetPlaces::TargetPlaces(const std::filesystem::path& path,
+                           const Shape& target,
+                           const std::filesystem::path& surface,
+                           const std::filesystem::path& vertices)
+    : path_(surface), mesh_(readMesh(surface).mesh), vertex_(target.cloud.points.rows(), -1) {
+  if (!vertices.empty())
+    placeByRows(vertices);
+  else if (!placeAtNearest(target.cloud.points))
+    throw InputError(surface.string() + ": is not where " + path.string() +
+                     " is: in another unit, or another frame?");
+}
+
+void TargetPlaces::placeByRows(const std::filesystem::path& vertices) {
+  const auto points = static_cast<int>(vertex_.size());
   for (const VertexPair& pair : readVertexPairs(vertices)) {
-    if (pair.source < 0 || pair.source >= points.rows() || pair.target < 0 ||
+    if (pair.source < 0 || pair.source >= points || pair.target < 0 ||
         pair.target >= mesh_.vertices.rows())
       throw InputError(vertices.string() + ": row `" + std::to_string(pair.source) + " " +
                        std::to_string(pair.target) + "` names what is not there");
     vertex_[pair.source] = pair.target;
   }
+}
+
+bool TargetPlaces::placeAtNearest(const Points& points) {
+  const PointIndex index(mesh_.vertices);
+  std::vector<double> distances;
+  for (int i : finiteRows(points)) {
+    const PointIndex::Neighbor nearest = index.nearest(points.row(i));
+    vertex_[i] = nearest.index;
+    distances.push_back(nearest.distance);
+  }
+  return distances.empty() || median(std::move(distances)) <= mostApart(points, mesh_);
+}
+
+TargetMetric TargetPlaces::metric() const {
+  return namingFile(path_, [&] { return TargetMetric(mesh_); });
 }
 
 int TargetPlaces::at(int target_vertex) const {

@@ -4,6 +4,7 @@
 
 #include <posture/core/correspondence.h>
 #include <posture/core/point_cloud.h>
+#include <posture/evaluation/target_metric.h>
 #include <posture/scan/reconstruct.h>
 
 #include <filesystem>
@@ -15,18 +16,27 @@ namespace posture::app {
 /// The mesh on which errors are measured, and where the target's vertices (points) lie on it.
 class TargetPlaces {
  public:
-  /// Measured on `surface` (a clean mesh of the same body in the same frame) where that is named,
-  /// else a mesh on itself and a cloud on the surface laid through it.
-  /// \param vertices  file of rows: a vertex (point) of the target, a vertex of the surface; empty:
-  /// each goes to the nearest one.
+  /// A mesh is measured on itself, a cloud on the surface laid through it.
+  /// \param path  of the target, for messages
   /// \param scan  of the target where it is a cloud; laid through it here if there is none.
-  /// \throws InputError  a file cannot be used.
-  TargetPlaces(const Shape& target,
-               const std::filesystem::path& surface,
-               const std::filesystem::path& vertices,
+  /// \throws InputError  no surface can be laid through it.
+  TargetPlaces(const std::filesystem::path& path,
+               const Shape& target,
                const std::optional<ScanSurface>& scan);
 
+  /// Measured on `surface`, a clean mesh of the same body in the same frame.
+  /// \param vertices  file of rows: a vertex (point) of the target, a vertex of the surface; empty:
+  /// each goes to the nearest one.
+  /// \throws InputError  a file cannot be used.
+  TargetPlaces(const std::filesystem::path& path,
+               const Shape& target,
+               const std::filesystem::path& surface,
+               const std::filesystem::path& vertices);
+
   const TriangleMesh& mesh() const { return mesh_; }
+
+  /// \throws InputError  there is nothing to measure on; names the file.
+  TargetMetric metric() const;
 
   /// Pairs whose target has no place on the mesh are left out.
   std::vector<VertexPair> onMesh(const std::vector<VertexPair>& pairs) const;
@@ -35,7 +45,11 @@ class TargetPlaces {
 
  private:
   int at(int target_vertex) const;
+  void placeByRows(const std::filesystem::path& vertices);
+  /// False where most lie too far from it.
+  bool placeAtNearest(const Points& points);
 
+  std::filesystem::path path_;  // of what is measured on
   TriangleMesh mesh_;
   bool itself_ = false;
   std::vector<int> vertex_;  // -1: none

@@ -193,7 +193,9 @@ TEST_F(Apply, refusesPointsThatAreNowhereNearTheSource) {
   Points strays = source;
   strays.topRows(100).array() += 50;
   writeCloud("strays.xyz", strays);
-  EXPECT_EQ(apply("of-source.ply", "strays.xyz", "moved-strays.xyz").exit_code, 0);
+  const ProgramRun ended = apply("of-source.ply", "strays.xyz", "moved-strays.xyz");
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_THAT(ended.out, HasSubstr("100 points of them far from SOURCE"));
 }
 
 TEST_F(Apply, namesWhatIsMissingInOneLine) {

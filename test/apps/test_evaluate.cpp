@@ -187,6 +187,9 @@ TEST_F(Evaluate, BadInputIsOneLine) {
   expectInputError(evaluate("none.csv", {"--truth", "identity"}), "none.csv");
   expectInputError(evaluate("identity.csv", {"--truth", folder_ / "none.txt"}), "none.txt");
   expectInputError(evaluate("identity.csv", {"--truth", folder_ / "far.txt"}), "target vertex 231");
+  const std::string whole = test::bytesOf(folder_ / "identity.csv");
+  std::ofstream(folder_ / "cut.csv") << whole.substr(0, whole.find("\n9,") + 1);
+  expectInputError(evaluate("cut.csv", {"--truth", "identity"}), "cut.csv: 9");
   expectInputError(
       evaluate("identity.csv", {"--truth", "identity", "--mirror", folder_ / "far.txt"}),
       "target vertex 231");

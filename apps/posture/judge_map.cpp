@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "judge_map.h"
+
+#include <posture/evaluation/map_error.h>
+#include <posture/evaluation/statistics.h>
+
+#include "error_json.h"
+
+namespace posture::app {
+namespace {
+
+std::vector<SurfacePoint> atVertices(std::vector<SurfacePoint> places) {
+  for (SurfacePoint& place : places) place.face = -1;
+  return places;
+}
+
+}  // namespace
+
+Json judgeMap(const TargetPlaces& target,
+              const TargetMetric& metric,
+              const std::vector<SurfacePoint>& on_target,
+              const std::vector<VertexPair>& truth,
+              const std::vector<VertexPair>& mirror_truth) {
+  const std::vector<SurfacePoint> map = target.onMesh(on_target), at_vertices = atVertices(map);
+  const std::vector<VertexPair> pairs = target.onMesh(truth);
+  Json json{{"errors", toJson(measureErrors(metric, at_vertices, pairs))}};
+  json["subvertex_mean_x100"] = 100 * mean(measureErrors(metric, map, pairs).relative_error);
+  if (!mirror_truth.empty())
+    json["mirror"] =
+        toJson(compareWithMirror(metric, at_vertices, pairs, target.onMesh(mirror_truth)));
+  return json;
+}
+
+}  // namespace posture::app
