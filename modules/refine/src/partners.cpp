@@ -4,10 +4,13 @@
 #include <posture/mesh/normals.h>
 #include <posture/refine/partners.h>
 
+#include "elsewhere.h"
+
 namespace posture {
 namespace {
 
-/// A vertex more than an edge from its match, which is the rim of a hole or does not count.
+/// A vertex more than an edge from its match, which is the rim of a hole or does not count; or one
+/// whose match does not count and belongs to another part of the surface.
 std::vector<char> overHoles(const BendableSurface& a,
                             const BendableSurface& b,
                             const BentPair& pair) {
@@ -15,8 +18,11 @@ std::vector<char> overHoles(const BendableSurface& a,
   std::vector<char> over(pair.maps.forward.size(), 0);
   for (std::size_t v = 0; v < over.size(); ++v) {
     const int t = pair.maps.forward[v];
-    over[v] = (isApart(pair.apart_a, v) || (b.on_boundary[t] && !a.on_boundary[v])) &&
-              (pair.bent_a.row(v) - b.mesh.vertices.row(t)).norm() > edge;
+    const auto i = static_cast<Eigen::Index>(v);
+    const bool is_apart = isApart(pair.apart_a, v);
+    over[v] = ((is_apart || (b.on_boundary[t] && !a.on_boundary[v])) &&
+               (pair.bent_a.row(i) - b.mesh.vertices.row(t)).norm() > edge) ||
+              (is_apart && liesElsewhere(a, i, t, pair.maps.backward, pair.apart_b));
   }
   return over;
 }
