@@ -62,8 +62,9 @@ class Fans {
 
   /// Whether a triangle already lies beyond the edge, folded back.
   bool folds(int a, int b, const Eigen::RowVector3d& normal) const {
+    constexpr double FOLDED_BACK = -0.2;  // cosine: by more than 101 degrees
     for (int w = first_[a]; w < last_[a]; ++w)
-      if (wedges_[w].from == b) return faceNormal(a, b, wedges_[w].to).dot(normal) < -0.2;
+      if (wedges_[w].from == b) return faceNormal(a, b, wedges_[w].to).dot(normal) < FOLDED_BACK;
     return false;
   }
 

@@ -53,9 +53,10 @@ TriangleMesh untangled(const OrientedPoints& samples, TriangleMesh mesh) {
 TriangleMesh meshSamples(const OrientedPoints& samples,
                          SurfaceMethod method,
                          ReconstructionSummary& summary) {
-  if (samples.points.rows() < 4) throw InputError("shows no surface");
+  constexpr int FEWEST = 4, NEIGHBORS = 32;
+  if (samples.points.rows() < FEWEST) throw InputError("shows no surface");
   const NeighborSearch search(samples.points);
-  const NeighborTable neighbors = search.table(32);
+  const NeighborTable neighbors = search.table(NEIGHBORS);
   const Spacing h = spacing(samples.points, neighbors);
   summary.mesh_spacing = h.median;
   TriangleMesh mesh;

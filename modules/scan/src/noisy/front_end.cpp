@@ -22,6 +22,17 @@ namespace {
 
 constexpr int NEIGHBORS = 32;
 
+/// What outliers are told by.
+constexpr int FEW_NEIGHBORS = 16;
+
+/// So many show where the surface is, where there is little noise; with more of them needed, points
+/// are averaged in cells, until so many are as far apart as those were.
+constexpr int ENOUGH = 10;
+constexpr double CELL = 0.8;  ///< side of a cell, over the distance between the means
+
+/// Of PCL's moving least squares, in spacings.
+constexpr double MLS_RADIUS = 3;
+
 void requireBreadth(const Points& points) {
   const Points centred = points.rowwise() - points.colwise().mean();
   const Eigen::Matrix3d covariance =
@@ -30,8 +41,10 @@ void requireBreadth(const Points& points) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
   const double breadth_sq = solver.eigenvalues()[1];
   const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
-  // Rounding leaves points of a line this broad.
-  if (!(breadth_sq > 1e-12 * extent * extent)) throw InputError("has all its points on one line");
+  // Points of a line are as broad as rounding leaves them.
+  constexpr double ROUNDING_SQ = 1e-12;
+  if (!(breadth_sq > ROUNDING_SQ * extent * extent))
+    throw InputError("has all its points on one line");
 }
 
 /// One point a cell, where the surface shows only in the mean of many.
@@ -52,7 +65,7 @@ ScanPoints averaged(const ScanPoints& scan, double side) {
 ScanPoints filterPoints(const ScanPoints& given,
                         std::vector<int>& kept,
                         ReconstructionSummary& summary) {
-  const NeighborTable neighbors = NeighborSearch(given.points).table(16);
+  const NeighborTable neighbors = NeighborSearch(given.points).table(FEW_NEIGHBORS);
   const Spacing h = spacing(given.points, neighbors);
   summary.spacing = h.median;
   const std::vector<char> keep = withoutOutliers(given.points, neighbors, h);
@@ -65,9 +78,10 @@ ScanPoints filterPoints(const ScanPoints& given,
 
   const NoiseScale noise = noiseScale(scan.points, NeighborSearch(scan.points));
   summary.double_walls = noise.double_walls;
-  if (noise.neighbors > 10) {
+  if (noise.neighbors > ENOUGH) {
     summary.averaged = noise.neighbors;
-    scan = averaged(scan, 0.8 * summary.spacing * std::sqrt(noise.neighbors / 10.0));
+    scan = averaged(
+        scan, CELL * summary.spacing * std::sqrt(noise.neighbors / static_cast<double>(ENOUGH)));
   }
   return scan;
 }
@@ -79,7 +93,7 @@ OrientedPoints sampleSurface(const ScanPoints& scan,
   NeighborTable neighbors = NeighborSearch(scan.points).table(NEIGHBORS);
   const Spacing h = spacing(scan.points, neighbors);
   if (method == SurfaceMethod::MLS) {
-    oriented = movingLeastSquares(scan.points, 3 * h.median);
+    oriented = movingLeastSquares(scan.points, MLS_RADIUS * h.median);
     neighbors = NeighborSearch(oriented.points).table(NEIGHBORS);
   }
   EstimatedNormals estimated = estimateNormals(scan.points, neighbors, h);

@@ -5,6 +5,7 @@
 #include <posture/core/median.h>
 #include <posture/core/parallel.h>
 
+#include "noisy/bilateral_weight.h"
 #include "points/local_plane.h"
 #include "points/spacing.h"
 #include <algorithm>
@@ -15,6 +16,9 @@ namespace {
 
 constexpr int FEWEST = 8;  ///< neighbours that count at any distance
 
+/// How often planes are fitted again with the normals of the last time.
+constexpr int PASSES = 2;
+
 EstimatedNormals planesOfTen(const Points& points,
                              const NeighborTable& neighbors,
                              const Spacing& spacing) {
@@ -24,7 +28,8 @@ EstimatedNormals planesOfTen(const Points& points,
   forEach(n, [&](int i) {
     LocalPlane plane;
     plane.add(Eigen::Vector3d::Zero(), 1);
-    const int count = std::min(10, neighborCount(neighbors, i));
+    constexpr int TEN = 10;
+    const int count = std::min(TEN, neighborCount(neighbors, i));
     for (int k = 0; k < count; ++k)
       plane.add((points.row(neighbors(i, k)) - points.row(i)).transpose(), 1);
     const LocalPlane::Fit fit = plane.fit();
@@ -42,6 +47,7 @@ Points robustPass(const Points& points,
                   const NeighborTable& neighbors,
                   const Spacing& spacing,
                   double noise) {
+  constexpr double HEIGHT_SIGMAS = 2;  // of the noise: a Gaussian that wide
   const int n = static_cast<int>(points.rows());
   Points better(n, 3);
   forEach(n, [&](int i) {
@@ -54,11 +60,11 @@ Points robustPass(const Points& points,
       if (j < 0) break;
       const Eigen::Vector3d offset = (points.row(j) - points.row(i)).transpose();
       const double distance_sq = offset.squaredNorm();
-      if (distance_sq > 6.25 * sigma * sigma && k >= FEWEST) break;
+      if (distance_sq > FARTHEST_SQ * sigma * sigma && k >= FEWEST) break;
       const double height = normal.dot(offset), agreement = normal.dot(normals.row(j));
-      plane.add(offset,
-                std::exp(-distance_sq / (2 * sigma * sigma) - height * height / (8 * rho * rho)) *
-                    std::pow(agreement, 4));
+      plane.add(
+          offset,
+          bilateralWeight(distance_sq, sigma, height, rho, HEIGHT_SIGMAS) * std::pow(agreement, 4));
     }
     better.row(i) = plane.fit().normal;
   });
@@ -72,7 +78,7 @@ EstimatedNormals estimateNormals(const Points& points,
                                  const Spacing& spacing) {
   EstimatedNormals estimated = planesOfTen(points, neighbors, spacing);
   const double noise = noiseReach(estimated.relative_residual);
-  for (int pass = 0; pass < 2; ++pass)
+  for (int pass = 0; pass < PASSES; ++pass)
     estimated.normals = robustPass(points, estimated.normals, neighbors, spacing, noise);
   return estimated;
 }

@@ -18,9 +18,16 @@
 namespace posture {
 namespace {
 
+/// Points whose neighbourhoods are looked at, evenly spread over their order.
+constexpr int LOOKED_AT = 1500;
+
+/// Neighbourhoods of so many points, doubled, are tried: from what shows a plane where there is no
+/// noise to what a fine scan has within its noise, and no more than a part of the cloud.
+constexpr int FEWEST = 10, MOST = 5120, PART_OF_CLOUD = 16;
+
 /// Thickness of the neighbourhoods of some points, relative to their radius: median.
 double relativeThickness(const Points& points, const NeighborSearch& search, int neighbors) {
-  const int n = static_cast<int>(points.rows()), looked_at = std::min(n, 1500);
+  const int n = static_cast<int>(points.rows()), looked_at = std::min(n, LOOKED_AT);
   std::vector<double> thickness(looked_at);
   parallelFor(looked_at, [&](int s) {
     const int i = static_cast<int>(static_cast<std::int64_t>(s) * n / looked_at);
@@ -45,7 +52,7 @@ NoiseScale noiseScale(const Points& points, const NeighborSearch& search) {
   NoiseScale scale;
   double least = std::numeric_limits<double>::infinity();
   int flat_at = 0;
-  for (int k = 10; k <= 5120 && k < points.rows() / 16; k *= 2) {
+  for (int k = FEWEST; k <= MOST && k < points.rows() / PART_OF_CLOUD; k *= 2) {
     const double thickness = relativeThickness(points, search, k);
     least = std::min(least, thickness);
     if (flat_at == 0 && thickness < FLAT) flat_at = k;

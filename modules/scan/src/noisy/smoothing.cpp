@@ -4,10 +4,19 @@
 
 #include <posture/core/parallel.h>
 
-#include <cmath>
+#include "noisy/bilateral_weight.h"
 
 namespace posture {
 namespace {
+
+/// How often each point is moved.
+constexpr int PASSES = 2;
+
+/// Of normals: a neighbour whose own differs by more, 73 degrees, is on another sheet.
+constexpr double LEAST_AGREEMENT = 0.3;
+
+/// Of the noise: a Gaussian of heights that wide.
+constexpr double HEIGHT_SIGMAS = 3;
 
 OrientedPoints smoothed(const OrientedPoints& given,
                         const NeighborTable& neighbors,
@@ -23,13 +32,12 @@ OrientedPoints smoothed(const OrientedPoints& given,
       if (j < 0) break;
       const Eigen::RowVector3d offset = point - given.points.row(j);
       const double distance_sq = offset.squaredNorm();
-      if (distance_sq > 6.25 * sigma * sigma) break;
+      if (distance_sq > FARTHEST_SQ * sigma * sigma) break;
       const double agreement = normal.dot(given.normals.row(j));
-      if (agreement < 0.3) continue;
+      if (agreement < LEAST_AGREEMENT) continue;
       const double height = (normal + given.normals.row(j)).dot(offset) / 2;
       const double weight =
-          std::exp(-distance_sq / (2 * sigma * sigma) - height * height / (18 * rho * rho)) *
-          agreement * agreement;
+          bilateralWeight(distance_sq, sigma, height, rho, HEIGHT_SIGMAS) * agreement * agreement;
       shift += weight * height;
       normal_sum += weight * given.normals.row(j);
       weight_sum += weight;
@@ -46,7 +54,7 @@ void smooth(const NeighborTable& neighbors,
             const Spacing& spacing,
             double residual,
             OrientedPoints& oriented) {
-  for (int pass = 0; pass < 2; ++pass)
+  for (int pass = 0; pass < PASSES; ++pass)
     oriented = smoothed(oriented, neighbors, spacing, noiseReach(residual));
 }
 

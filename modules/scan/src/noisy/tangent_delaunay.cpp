@@ -58,9 +58,10 @@ class Stars {
         spacing_(spacing.at) {
     // Points of a depth image may lie on a lattice, whose Delaunay triangulation is not unique;
     // moved this little, all stars decide alike.
+    constexpr double LITTLE = 1e-4;
     Rng rng(2);
     for (int i = 0; i < points_.size(); ++i)
-      points_.data()[i] += 1e-4 * spacing.at[i / 3] * (rng.uniform() - 0.5);
+      points_.data()[i] += LITTLE * spacing.at[i / 3] * (rng.uniform() - 0.5);
   }
 
   /// Triangles of the Delaunay star of point i in its tangent plane.
@@ -83,30 +84,35 @@ class Stars {
   /// Longest edge at point i: four times the spacing there, as the eighth neighbour on the same
   /// sheet tells it.
   double reachOf(int i) const {
+    constexpr int EIGHTH = 8;
+    constexpr double TIMES_SPACING = 4, SPARSEST = 2.5;  // in spacings over all sheets
     int same = 0;
     double radius = 0;
     for (int j : neighbors_.row(i)) {
-      if (j < 0 || same == 8) break;
+      if (j < 0 || same == EIGHTH) break;
       if (!sameSheet(normals_.row(i), normals_.row(j))) continue;
       ++same;
       radius = (points_.row(j) - points_.row(i)).norm();
     }
-    const double side = same < 8 ? 2.5 * spacing_[i] : radius * std::sqrt(M_PI / 8);
-    return 4 * std::clamp(side, spacing_[i], 2.5 * spacing_[i]);
+    const double most = SPARSEST * spacing_[i];
+    const double side = same < EIGHTH ? most : radius * std::sqrt(M_PI / EIGHTH);
+    return TIMES_SPACING * std::clamp(side, spacing_[i], most);
   }
 
   std::vector<FlatNeighbor> flatten(int i, double reach) const {
     const Eigen::RowVector3d point = points_.row(i), normal = normals_.row(i);
     const Eigen::RowVector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+    // A neighbour that stands up from the plane is none; one farther than LONG spacings is on
+    // another sheet where the normals turn away from each other by more.
+    constexpr double STEEPEST = 0.8, LONG = 1.5, APART = 0.3;
     std::vector<FlatNeighbor> flat;
     const auto add = [&](int j) {
       const Eigen::RowVector3d offset = points_.row(j) - point;
       const double length = offset.norm(), height = offset.dot(normal);
-      if (j == i || length > reach || length == 0 || std::abs(height) > 0.8 * length) return;
+      if (j == i || length > reach || length == 0 || std::abs(height) > STEEPEST * length) return;
       if (!sameSheet(normal, normals_.row(j))) return;
-      constexpr double LONG = 1.5;
       if (length > LONG * std::max(spacing_[i], spacing_[j]) &&
-          (normal - normals_.row(j)).dot(offset) > 0.3 * length)
+          (normal - normals_.row(j)).dot(offset) > APART * length)
         return;
       // Laid flat with its length kept; inverted, its length is the inverse.
       const Eigen::Vector2d q(offset.dot(u), offset.dot(v));

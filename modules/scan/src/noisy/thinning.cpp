@@ -13,6 +13,7 @@ namespace posture {
 OrientedPoints thin(const OrientedPoints& oriented,
                     const NeighborTable& neighbors,
                     const Spacing& spacing) {
+  constexpr double CLOSE = 0.5;  // in spacings
   const int n = static_cast<int>(oriented.points.rows());
   std::vector<int> order(n);
   std::iota(order.begin(), order.end(), 0);
@@ -24,7 +25,7 @@ OrientedPoints thin(const OrientedPoints& oriented,
   for (int i : order) {
     if (covered[i]) continue;
     const auto close = [&](int j) {
-      return (oriented.points.row(j) - oriented.points.row(i)).norm() < 0.5 * spacing.at[i] &&
+      return (oriented.points.row(j) - oriented.points.row(i)).norm() < CLOSE * spacing.at[i] &&
              sameSheet(oriented.normals.row(i), oriented.normals.row(j));
     };
     bool free = true;
