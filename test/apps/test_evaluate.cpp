@@ -206,7 +206,7 @@ TEST_F(Evaluate, BadInputIsOneLine) {
   writeMesh(folder_ / "scaled.off", scaled);
   expectInputError(
       evaluate("identity.csv", {"--truth", "identity", "--surface", folder_ / "scaled.off"}),
-      "scaled.off: is not where the target is");
+      "target.off is: in another unit, or another frame?");
   std::filesystem::copy_file(folder_ / "identity.csv", folder_ / "curve.csv");
   const std::string before = test::bytesOf(folder_ / "curve.csv");
   expectInputError(evaluate("curve.csv", {"--truth", "identity", "-o", folder_.path().string()}),

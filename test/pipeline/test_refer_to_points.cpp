@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "sides/scan_side.h"
+#include "sides/refer_to_points.h"
 #include "support/shapes.h"
 #include <limits>
 #include <optional>

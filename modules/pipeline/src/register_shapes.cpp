@@ -19,7 +19,8 @@
 #include "sides/left_out_parts.h"
 #include "sides/parts_like.h"
 #include "sides/patched_shape.h"
-#include "sides/scan_side.h"
+#include "sides/refer_to_points.h"
+#include "sides/side_surface.h"
 #include "stage_clock.h"
 #include <algorithm>
 #include <functional>

@@ -71,8 +71,7 @@ class WithoutPatches {
   void trimPlaces(Correspondence& correspondence) const {
     for (std::size_t v = 0; v < correspondence.on_target.size(); ++v) {
       correspondence.on_target[v] = place(correspondence.on_target[v]);
-      if (correspondence.on_target[v].vertex < 0)
-        correspondence.confidence[static_cast<Eigen::Index>(v)] = 0;
+      if (correspondence.on_target[v].vertex < 0) dropRow(correspondence, v);
     }
   }
 

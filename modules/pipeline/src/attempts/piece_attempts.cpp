@@ -67,19 +67,6 @@ struct PieceAttempt {
   std::vector<char> source_rest, target_rest;
 };
 
-/// Drops the rows of what is the rest of a side, and those that lead to the rest of the other.
-void dropRest(const std::vector<char>& here,
-              const std::vector<char>& there,
-              Correspondence& correspondence) {
-  std::vector<SurfacePoint>& places = correspondence.on_target;
-  for (std::size_t v = 0; v < places.size(); ++v) {
-    const int at = places[v].vertex;
-    if (here[v] == 0 && (at < 0 || there[at] == 0)) continue;
-    places[v] = {};
-    correspondence.confidence[static_cast<Eigen::Index>(v)] = 0;
-  }
-}
-
 /// The result in the figures of the whole. What corresponds to the rest of a side is not known.
 Attempt ofWhole(Attempt attempt,
                 const ShapeSummary& source,
@@ -91,8 +78,8 @@ Attempt ofWhole(Attempt attempt,
           RegistrationResult& result) {
         result.source = withPart(source, result.source, source_rest);
         result.target = withPart(target, result.target, target_rest);
-        dropRest(source_rest, target_rest, result.correspondence);
-        if (result.back) dropRest(target_rest, source_rest, result.back->correspondence);
+        dropRows(source_rest, target_rest, result.correspondence);
+        if (result.back) dropRows(target_rest, source_rest, result.back->correspondence);
       });
 }
 

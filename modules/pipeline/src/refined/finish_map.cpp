@@ -46,11 +46,8 @@ Correspondence refinedAlternative(const ChosenMap& chosen, int begun_from, doubl
                        toFullResolution(source.shape, target.shape, map),
                        trust);
   const Vector& offset = source.given.clean.offset;
-  for (Eigen::Index v = 0; v < offset.size(); ++v) {
-    if (!(offset[v] > 0)) continue;
-    correspondence.on_target[static_cast<std::size_t>(v)] = {};
-    correspondence.confidence[v] = 0;
-  }
+  for (Eigen::Index v = 0; v < offset.size(); ++v)
+    if (offset[v] > 0) dropRow(correspondence, static_cast<std::size_t>(v));
   return correspondence;
 }
 

@@ -5,7 +5,7 @@
 #include <posture/mesh/clean_mesh.h>
 #include <posture/pipeline/observer.h>
 
-#include "sides/scan_side.h"
+#include "sides/side_surface.h"
 #include <string>
 #include <vector>
 

@@ -6,27 +6,14 @@
 #include <posture/mesh/rigid_motion.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace posture {
 namespace {
 
-bool isBehind(const Background& background, std::size_t v) {
-  return v < background.vertices.size() && background.vertices[v] != 0;
-}
-
-/// Of what is background here, and of what was put onto that there.
-void dropRows(const Background& here, const Background& there, Correspondence& map) {
-  for (std::size_t v = 0; v < map.on_target.size(); ++v) {
-    const int at = map.on_target[v].vertex;
-    if (!isBehind(here, v) && (at < 0 || !isBehind(there, static_cast<std::size_t>(at)))) continue;
-    map.on_target[v] = {};
-    map.confidence[static_cast<Eigen::Index>(v)] = 0;
-  }
-}
-
 void dropRows(const Background& background, std::vector<int>& map) {
-  for (std::size_t v = 0; v < map.size(); ++v)
-    if (isBehind(background, v)) map[v] = -1;
+  for (std::size_t v = 0; v < std::min(map.size(), background.vertices.size()); ++v)
+    if (background.vertices[v] != 0) map[v] = -1;
 }
 
 void moveAsAWhole(const Background& background, const Points& at_rest, RegistrationResult& result) {
@@ -68,10 +55,10 @@ void dropBackground(const Background& source,
                     const Background& target,
                     RegistrationResult& result) {
   if (source.faces > 0 && result.deformed.rows() > 0) moveAsAWhole(source, at_rest, result);
-  dropRows(source, target, result.correspondence);
-  if (result.back) dropRows(target, source, result.back->correspondence);
+  dropRows(source.vertices, target.vertices, result.correspondence);
+  if (result.back) dropRows(target.vertices, source.vertices, result.back->correspondence);
   for (AlternativeSummary& alternative : result.alternatives) {
-    dropRows(source, target, alternative.correspondence);
+    dropRows(source.vertices, target.vertices, alternative.correspondence);
     dropRows(source, alternative.target_vertex);
   }
   for (HypothesisSummary& hypothesis : result.hypotheses)

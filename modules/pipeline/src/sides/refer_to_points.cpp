@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sides/scan_side.h"
+#include "sides/refer_to_points.h"
 
-#include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
 #include <posture/deformation/apply_deformation.h>
 #include <posture/mesh/nearest_on_faces.h>
@@ -128,18 +127,6 @@ Points movedPoints(const TriangleMesh& surface, const Points& deformed, const Po
 }
 
 }  // namespace
-
-SideSurface surfaceOf(const std::string& side, const Shape& shape, SurfaceMethod method) {
-  if (shape.faces.rows() > 0) return SideSurface({shape.cloud.points, shape.faces});
-  try {
-    SideSurface surface;
-    surface.scan = reconstruct(shape.cloud, {method});
-    surface.mesh = surface.scan->mesh;
-    return surface;
-  } catch (const InputError& error) {
-    throw InputError(side + " " + error.what());
-  }
-}
 
 void referToPoints(const Shape& source,
                    const Shape& target,

@@ -4,26 +4,9 @@
 
 #include <posture/pipeline/register_shapes.h>
 
-#include "sides/leave_out_background.h"
-#include <optional>
-#include <string>
-#include <utility>
+#include "sides/side_surface.h"
 
 namespace posture {
-
-/// One side as a surface: the mesh as it was given, or one laid through the points.
-struct SideSurface {
-  SideSurface() = default;
-  explicit SideSurface(TriangleMesh of) : mesh(std::move(of)) {}
-
-  TriangleMesh mesh;
-  std::optional<ScanSurface> scan;  ///< of a point cloud; its mesh is in `mesh`
-  Denoising denoising;              ///< set by cleanSides()
-  Background background;            ///< left out; set by cleanSides()
-};
-
-/// \throws InputError  no surface can be laid through the points; names the side.
-SideSurface surfaceOf(const std::string& side, const Shape& shape, SurfaceMethod method);
 
 /// Rewrites a result between the two surfaces in terms of the shapes as given: one row for each
 /// point of a source cloud, and `vertex` of each place the nearest point of a target cloud. Faces

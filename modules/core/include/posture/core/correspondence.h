@@ -5,6 +5,7 @@
 #include <posture/core/types.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace posture {
@@ -28,6 +29,27 @@ struct Correspondence {
   std::vector<SurfacePoint> on_target;  ///< n, one per source vertex
   Vector confidence;                    ///< n, in [0, 1]; 0 where there is no counterpart
 };
+
+/// Leaves a source vertex without a counterpart.
+inline void dropRow(Correspondence& map, std::size_t row) {
+  map.on_target[row] = {};
+  map.confidence[static_cast<Eigen::Index>(row)] = 0;
+}
+
+/// The same of those that are marked, and of those whose place is marked on the target.
+/// \param here, there  one mark a vertex; empty: none is.
+inline void dropRows(const std::vector<char>& here,
+                     const std::vector<char>& there,
+                     Correspondence& map) {
+  const auto isMarked = [](const std::vector<char>& marks, std::size_t v) {
+    return v < marks.size() && marks[v] != 0;
+  };
+  for (std::size_t v = 0; v < map.on_target.size(); ++v) {
+    const int at = map.on_target[v].vertex;
+    if (isMarked(here, v) || (at >= 0 && isMarked(there, static_cast<std::size_t>(at))))
+      dropRow(map, v);
+  }
+}
 
 /// A known pair of a source and a target vertex, 0-based.
 struct VertexPair {

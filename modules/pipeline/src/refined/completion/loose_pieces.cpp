@@ -202,10 +202,7 @@ class Placing {
   }
 
   void leaveOut(const std::vector<int>& piece) {
-    for (int v : piece) {
-      result_.correspondence.on_target[v] = {};
-      result_.correspondence.confidence[v] = 0;
-    }
+    for (int v : piece) dropRow(result_.correspondence, static_cast<std::size_t>(v));
   }
 
   const GivenShape& source_;
