@@ -72,9 +72,9 @@ RegistrationResult bestOfBoth(Attempt as_given,
 /// Registers the shapes as they are and, where there are holes to speak of, first with those closed
 /// that may be.
 RegistrationResult registerWhole(const GivenShape& source,
-                                   const GivenShape& target,
-                                   const RegistrationOptions& options,
-                                   StageClock& clock) {
+                                 const GivenShape& target,
+                                 const RegistrationOptions& options,
+                                 StageClock& clock) {
   constexpr double MANY_RIMS = 0.5;
   const PartedSides parted = clock.stage("contacts", 0, [&] {
     return PartedSides{partedSurface(source.input, source.clean),

@@ -75,7 +75,7 @@ struct AlternativeSummary {
   std::vector<int> target_vertex;  ///< per source vertex as given, to the spacing of the coarse
                                    ///< meshes; also where the target has a hole; -1: on a patch, on
                                    ///< a floor or wall, and for points that are missing or outliers
-  Correspondence correspondence;  ///< at full precision; empty unless alternatives are refined
+  Correspondence correspondence;   ///< at full precision; empty unless alternatives are refined
 };
 
 /// What was done to one side.
