@@ -66,7 +66,8 @@ void benchmark(const BenchmarkOptions& options, const Common& common) {
 
   std::vector<PlannedRun> runs;
   for (const BenchmarkPair& pair : pairs)
-    runs.push_back({childRun(pair, options, common), pair.id, options.selection.has(pair)});
+    runs.push_back(
+        {[&] { return childRun(pair, options, common); }, pair.id, options.selection.has(pair)});
   const std::vector<Json> results = runAll(runs, options.fresh, common.quiet);
   const Json summary = writeBenchmarkReport(results, pairs.size(), options.folder);
   if (common.json)

@@ -52,11 +52,12 @@ std::vector<Json> runAll(const std::vector<PlannedRun>& runs, bool fresh, bool q
       })));
   std::vector<Json> results;
   for (const PlannedRun& planned : runs) {
-    Json result = storedResult(planned.run);
+    const ChildRun run = planned.run();
+    Json result = storedResult(run);
     if (planned.is_asked_for) {
       progress.begin(planned.title);
       if (fresh || result.is_null() || wasCutShort(result)) {
-        result = runInChild(planned.run, [&] { progress.wait(); });
+        result = runInChild(run, [&] { progress.wait(); });
         progress.end(result);
       }
     }

@@ -4,6 +4,7 @@
 
 #include "json_document.h"
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct ChildRun {
 
 /// One of many.
 struct PlannedRun {
-  ChildRun run;
+  std::function<ChildRun()> run;  ///< as its files are when its turn comes
   std::string title;
   bool is_asked_for = true;  ///< else only a result that is there already is wanted
 };

@@ -115,7 +115,7 @@ void compare(const CompareOptions& options, const Common& common) {
   checkWritable(options.folder / "comparison.md");
   std::vector<PlannedRun> planned;
   for (const ComparedRun& run : runsOf(pairs, common))
-    planned.push_back({childRun(run, options, common),
+    planned.push_back({[&options, &common, run] { return childRun(run, options, common); },
                        run.pair.id + " " + run.variation + " " + run.method,
                        isAsked(run, options)});
   const std::vector<Json> results = runAll(planned, options.fresh, common.quiet);

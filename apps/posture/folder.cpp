@@ -11,8 +11,11 @@ namespace posture::app {
 
 OutputFolder::OutputFolder(const std::filesystem::path& folder) {
   std::error_code error;
-  for (std::filesystem::path part = folder.lexically_normal();
-       !part.empty() && !std::filesystem::exists(part, error);
+  const auto isThere = [&](const std::filesystem::path& part) {  // also a link to nowhere
+    return std::filesystem::symlink_status(part, error).type() !=
+           std::filesystem::file_type::not_found;
+  };
+  for (std::filesystem::path part = folder.lexically_normal(); !part.empty() && !isThere(part);
        part = part.parent_path())
     if (part.has_filename()) made_.push_back(part);
   std::filesystem::create_directories(folder, error);

@@ -325,6 +325,9 @@ TEST(Table, textsMayHaveBlanksBetweenCommas) {
       SCOPED_TRACE(head);
       expectSame(readCloud("a.csv", std::string(head) + "\n" + rows).points, TWO);
     }
+  for (const char* text : {"# x,y,seen on,z\n1,2.5,the hat,-3\n4e2,5,hat,6\n",
+                           "x,y,what,z,note\n1,2.5,foot 7,-3,\n4e2,5,,6,on the floor\n"})
+    expectSame(readCloud("a.csv", text).points, TWO);
 }
 
 TEST(Table, numbersSayWhatTheColumnsAre) {
@@ -382,6 +385,8 @@ TEST(Table, badFilesAreRefusedInOneLine) {
   expect("x,y,what,z\n1,2,the hat,a 4\n", "line 2: 'a 4' is not a number");
   expect("x;y;z\n1,5;2,5;3,5\n", "decimal commas cannot be read");
   expect("x y z r g b\n1,5 2,5 3,5\n", "decimal commas cannot be read");
+  expect("x y z i\n1,5 2,5 3,5 7\n", "decimal commas cannot be read");
+  expect("1 2 3\n1 2,5 3,5\n", "decimal commas cannot be read");
   expect("x,y,intensity\n1,2,3\n", "line 1: columns x and y are named, and none z");
   expect("# x y nx ny nz\n1 2 0 0 1\n", "line 2: columns x and y are named, and none z");
   expect("# nothing\n\n", "there are no points in it");

@@ -125,6 +125,35 @@ TEST(BestAttempt, anAnswerThatDoesNotGoOnLeavesTheSameOneFoundWithAllThereIs) {
   EXPECT_DOUBLE_EQ(result.trust, 0.9);
 }
 
+TEST(BestAttempt, ofPartsWithOneAnswerTheOneThatWasExtendedStandsForAll) {
+  RegistrationOptions options;
+  const Observer nobody;
+  StageClock clock(nobody);
+  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
+  const auto part = [](double score) {
+    RegistrationResult result = mapOf(score, {1, 2, 0});
+    result.source.compared_share = 0.5;
+    return Attempt{result, {}};
+  };
+  int extensions = 0;
+  const RegistrationResult result = bestAttempt(
+      {{mapOf(-10, {0, 1, 2}), {}}, part(-12), part(-11.9)},
+      target,
+      options,
+      [&](RegistrationResult known) -> std::optional<RegistrationResult> {
+        if (!isOfPart(known)) return {};
+        ++extensions;
+        payForExtending(-9, 0, known);
+        return known;
+      },
+      clock);
+  EXPECT_EQ(extensions, 1);
+  EXPECT_EQ(result.score, -10);
+  EXPECT_EQ(result.status, Status::REGISTERED);
+  ASSERT_EQ(result.alternatives.size(), 2u);
+  EXPECT_EQ(*result.alternatives[1 - result.chosen].refined_score, -9);
+}
+
 TEST(BestAttempt, whereARivalComesToAgreeTheNextOneCounts) {
   RegistrationOptions options;
   const Observer nobody;

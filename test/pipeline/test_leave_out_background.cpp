@@ -59,6 +59,8 @@ TEST_F(OnFloors, theBodyIsRegistered) {
       << result().message;
   EXPECT_GE(result().source.background_faces, 1800);
   EXPECT_EQ(result().source.cleaning.degenerate_faces, 0);
+  EXPECT_EQ(result().source.cleaning.unreferenced_vertices, 0);
+  EXPECT_EQ(result().source.cleaning.loose_vertices, 0);
   EXPECT_LT(result().source.area, 1.1 * surfaceArea(source_.mesh));
   double sum = 0;
   int count = 0;

@@ -86,14 +86,11 @@ class TableReader {
     const std::string_view text = withoutComment(line, comment);
     if (columns_ == 0 && readNames(text.empty() ? comment : text, text.empty())) return;
     if (text.empty()) return;
-    split(text, Blanks::SEPARATE, words_);
+    splitRow(text);
     if (readCount()) return;
-    if (columns_ == 0) begin(text);
-    // A text may have blanks in it where something else separates.
-    if (!hasAllColumns()) split(text, Blanks::BELONG, words_);
-    const bool last_is_missing = static_cast<int>(words_.size()) == columns_ - 1;
-    if (last_is_missing && isSeparator(text.back())) words_.emplace_back();
-    if (!hasAllColumns()) failRow(text);
+    if (columns_ == 0) begin();
+    if (lacksLast(columns_, text)) words_.emplace_back();
+    if (static_cast<int>(words_.size()) != columns_) failRow();
     for (int column = 0; column < columns_; ++column) {
       double value = std::numeric_limits<double>::quiet_NaN();
       const std::string_view word = words_[static_cast<std::size_t>(column)];
@@ -105,7 +102,8 @@ class TableReader {
   /// Only before the first row. Names on a line of their own are worth more than a comment.
   bool readNames(std::string_view text, bool in_comment) {
     split(text, Blanks::BELONG, words_);
-    if (!layoutOfNames(words_)) split(text, Blanks::SEPARATE, words_);
+    const bool are_apart = layoutOfNames(words_).has_value();
+    if (!are_apart) split(text, Blanks::SEPARATE, words_);
     const auto is_unit = [](std::string_view word) {
       return !word.empty() && (word[0] == '(' || word[0] == '[');
     };
@@ -118,8 +116,26 @@ class TableReader {
     if (!layout || (layout_ && in_comment)) return false;
     layout_ = layout;
     names_in_comment_ = in_comment;
+    names_are_apart_ = are_apart;
     columns_of_names_ = static_cast<int>(words_.size());
     return true;
+  }
+
+  /// Where commas or semicolons separate the names, a text in a row may have blanks in it.
+  void splitRow(std::string_view text) {
+    if (layout_ && names_are_apart_) {
+      split(text, Blanks::BELONG, words_);
+      if (static_cast<int>(words_.size()) == columns_of_names_ ||
+          lacksLast(columns_of_names_, text))
+        return;
+    }
+    split(text, Blanks::SEPARATE, words_);
+    failDecimalCommas(text);
+  }
+
+  /// Nothing behind the last separator is an empty word.
+  bool lacksLast(int columns, std::string_view text) const {
+    return static_cast<int>(words_.size()) == columns - 1 && isSeparator(text.back());
   }
 
   /// The number of rows that follow, alone on its line: before the first one, or (as PTS files of
@@ -133,16 +149,12 @@ class TableReader {
     return true;
   }
 
-  void begin(std::string_view text) {
+  void begin() {
     const auto count = static_cast<int>(words_.size());
     // A comment may speak of x, y and z without naming the columns.
     if (layout_ && names_in_comment_ && columns_of_names_ != count) layout_.reset();
     columns_ = layout_ ? columns_of_names_ : count;
     if (!layout_ && columns_without_z_ == count) failWithoutZ();
-    if (!hasAllColumns()) split(text, Blanks::BELONG, words_);
-    // Beside the blanks of a text commas between numbers look like decimal ones.
-    const bool has_text = count != columns_ && hasAllColumns();
-    if (!has_text) failDecimalCommas(text);
     if (layout_ || count >= 3) return;
     double ignored = 0;
     for (const std::string_view word : words_)
@@ -152,8 +164,6 @@ class TableReader {
         "fewer than three numbers: a point is x y z, separated by blanks, tabs, commas or "
         "semicolons");
   }
-
-  bool hasAllColumns() const { return static_cast<int>(words_.size()) == columns_; }
 
   bool isNeeded(int column) const {
     if (!layout_) return true;
@@ -167,9 +177,7 @@ class TableReader {
     input_.failAt(offset_, inQuotes(word) + " is not a number");
   }
 
-  [[noreturn]] void failRow(std::string_view text) {
-    failDecimalCommas(text);
-    split(text, Blanks::SEPARATE, words_);
+  [[noreturn]] void failRow() const {
     input_.failAt(offset_,
                   std::to_string(words_.size()) + " columns where " + std::to_string(columns_) +
                       " are expected (truncated?)");
@@ -203,7 +211,7 @@ class TableReader {
   std::size_t offset_ = 0;  // of the line
   std::vector<std::string_view> words_;
   std::optional<TableLayout> layout_;
-  bool names_in_comment_ = false;
+  bool names_in_comment_ = false, names_are_apart_ = false;  // by commas or semicolons
   int columns_of_names_ = 0, columns_without_z_ = 0;
   int columns_ = 0;  // 0: no row yet
   std::optional<std::int64_t> declared_;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 namespace posture {
 namespace {
@@ -19,11 +20,15 @@ Vector principalEigenvector(const Matrix& matrix) {
   if (m < 3) return Vector::Ones(m);
   Spectra::DenseSymMatProd<double> product(matrix);
   Spectra::SymEigsSolver<Spectra::DenseSymMatProd<double>> solver(product, 1, std::min(m, 20));
-  solver.init();
-  solver.compute(Spectra::SortRule::LargestAlge);
+  try {
+    solver.init();
+    solver.compute(Spectra::SortRule::LargestAlge);
+    if (solver.info() == Spectra::CompInfo::Successful)
+      return solver.eigenvectors().col(0).cwiseAbs();
+  } catch (const std::runtime_error&) {  // the solver's, of the small problems within
+  }
   // Without a gap below the largest eigenvalue the row sums rank as well as any vector.
-  if (solver.info() != Spectra::CompInfo::Successful) return matrix.rowwise().sum();
-  return solver.eigenvectors().col(0).cwiseAbs();
+  return matrix.rowwise().sum();
 }
 
 }  // namespace

@@ -61,7 +61,8 @@ struct Rival {
 };
 
 /// Of those that lead elsewhere than the best one, which is finished, that of least score. What
-/// agrees with it before or after it was extended is no rival.
+/// agrees with it before or after it was extended is no rival, and what is spoken for counts as
+/// that.
 Rival rivalOf(const std::vector<Contender>& contenders,
               std::size_t best,
               const TriangleMesh& target,
@@ -72,7 +73,8 @@ Rival rivalOf(const std::vector<Contender>& contenders,
   Rival rival;
   for (std::size_t i = 0; i < contenders.size(); ++i) {
     const RegistrationResult& known = contenders[i].known();
-    if (i == best || known.chosen < 0) continue;
+    if (i == best || known.chosen < 0 || isSpokenFor(contenders[i], contenders, target, size))
+      continue;
     if (rival.contender && contenders[*rival.contender].known().score <= known.score) continue;
     double gap = 0;
     const bool elsewhere =

@@ -12,17 +12,21 @@ namespace posture {
 namespace {
 
 /// What leaving it out looks like to cleanMesh() is no fault of the mesh.
-void forgetBackground(const SideSurface& surface, CleaningSummary& summary) {
+void forgetBackground(const SideSurface& surface, CleanMesh& clean) {
   const Background& background = surface.background;
   if (background.faces == 0) return;
   std::vector<char> is_corner(background.vertices.size(), 0);
   for (int v : surface.mesh.faces.reshaped()) is_corner[v] = 1;
   int unreferenced = 0, loose = 0;
   for (std::size_t v = 0; v < is_corner.size(); ++v)
-    if (background.vertices[v] != 0) ++(is_corner[v] != 0 ? loose : unreferenced);
-  summary.degenerate_faces -= background.faces;
-  summary.unreferenced_vertices -= unreferenced;
-  summary.loose_vertices -= loose;
+    if (background.vertices[v] != 0) {
+      unreferenced += is_corner[v] == 0;
+      // One at the place of the body's own is on the main surface.
+      loose += is_corner[v] != 0 && clean.offset[static_cast<Eigen::Index>(v)] > 0;
+    }
+  clean.summary.degenerate_faces -= background.faces;
+  clean.summary.unreferenced_vertices -= unreferenced;
+  clean.summary.loose_vertices -= loose;
 }
 
 CleanMesh cleanSide(const std::string& side, SideSurface& surface) {
@@ -30,7 +34,7 @@ CleanMesh cleanSide(const std::string& side, SideSurface& surface) {
     if (!surface.scan) surface.denoising = denoise(surface.mesh);
     surface.background = leaveOutBackground(surface.mesh);
     CleanMesh clean = cleanMesh(surface.mesh);
-    forgetBackground(surface, clean.summary);
+    forgetBackground(surface, clean);
     return clean;
   } catch (const InputError& error) {
     throw InputError(side + " " + error.what());

@@ -14,9 +14,8 @@ struct SpectralBasis {
 
 /// \param count  how many functions; fewer come back on a mesh with hardly more vertices.
 /// \throws std::invalid_argument  fewer than three vertices, or no function asked for.
-/// \throws InputError  it cannot be factorised, or the eigenvalues do not converge; the message
-/// goes
-///         behind the name of the surface.
+/// \throws InputError  it cannot be factorised, or the eigenvalues do not converge: a message that
+///         goes behind the name of the surface.
 SpectralBasis spectralBasis(const Laplacian& laplacian, int count);
 
 }  // namespace posture
