@@ -92,7 +92,7 @@ double meanMiss(const Figure& a,
                 const Figure& b,
                 const BentPair& pair,
                 const std::function<bool(int)>& left_out) {
-  const std::vector<char> without = withoutPartner(a.surface, b.surface, pair, false);
+  const std::vector<char> without = withoutPartner(a.surface, b.surface, pair, {});
   double sum = 0;
   int count = 0;
   for (int v = 0; v < a.rest.rows(); ++v)
@@ -138,7 +138,7 @@ TEST(GrowAnew, anArmThatLiesOnTheOtherOneGoesWithItsShoulder) {
   const std::vector<ScoredPair> grown = growAnew(a.surface, b.surface, softness, wrong, wrong);
   const BentPair& pair = best(grown).pair;
   EXPECT_LT(best(grown).score.total(), scoreBent(a.surface, b.surface, wrong, false).total());
-  const std::vector<char> without = withoutPartner(a.surface, b.surface, pair, false);
+  const std::vector<char> without = withoutPartner(a.surface, b.surface, pair, {});
   EXPECT_GT(shareOfArm([&](int v) { return without[v] != 0; }), 0.8);
   EXPECT_LT(meanMiss(a, b, pair, onTheArm), 1);
   std::vector<char> arm;

@@ -95,7 +95,7 @@ TEST_F(LetGo, whatTheOtherSurfaceLacksIsApartAndTheRestInItsPlace) {
   EXPECT_LT(meanMiss(pair.maps.forward, pair.apart_a), 0.5 * before);
   EXPECT_LT(meanMiss(pair.maps.forward, pair.apart_a), 0.5);
 
-  const std::vector<char> without = withoutPartner(whole_, cut_, pair, false);
+  const std::vector<char> without = withoutPartner(whole_, cut_, pair, {});
   EXPECT_GT(share(without, end(whole_.mesh, 0.7 * CUT)), 0.9);
   // It goes as the arm does.
   double off = 0;

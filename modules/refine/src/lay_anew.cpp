@@ -8,7 +8,6 @@
 
 #include <Eigen/Geometry>
 
-#include "elsewhere.h"
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -44,21 +43,14 @@ std::vector<int> surroundings(const BendableSurface& a,
   return found;
 }
 
-/// What of the vertices marked lies farther than an edge from its match on `b`, or on what belongs
-/// to another part.
-/// \param backward, apart  of the vertices of `b`
-std::vector<char> stillApart(const BendableSurface& a,
-                             const BendableSurface& b,
-                             const std::vector<int>& forward,
-                             const std::vector<int>& backward,
+/// What of the vertices marked lies farther than an edge from its match on `b`.
+std::vector<char> stillApart(const BendableSurface& b,
+                             const std::vector<int>& matches,
                              const Points& bent,
-                             const std::vector<char>& apart,
                              std::vector<char> marked) {
   const double edge = meanEdgeLength(b.mesh);
   for (int v = 0; v < bent.rows(); ++v)
-    if ((bent.row(v) - b.mesh.vertices.row(forward[v])).norm() < edge &&
-        !liesElsewhere(a, v, forward[v], backward, apart))
-      marked[v] = 0;
+    if ((bent.row(v) - b.mesh.vertices.row(matches[v])).norm() < edge) marked[v] = 0;
   return marked;
 }
 
@@ -106,9 +98,8 @@ BentPair laidAnew(const SpectralSurface& a,
   BentPair loose = conform(
       a, b, placesAnew(a, of_a, softness, pair.bent_a), placesAnew(b, of_b, softness, pair.bent_b));
   const auto leaveApart = [&](const std::vector<char>& some_a, const std::vector<char>& some_b) {
-    const auto &forward = loose.maps.forward, &backward = loose.maps.backward;
-    loose.apart_a = stillApart(a, b, forward, backward, loose.bent_a, some_b, some_a);
-    loose.apart_b = stillApart(b, a, backward, forward, loose.bent_b, some_a, some_b);
+    loose.apart_a = stillApart(b, loose.maps.forward, loose.bent_a, some_a);
+    loose.apart_b = stillApart(a, loose.maps.backward, loose.bent_b, some_b);
   };
   leaveApart(of_a, of_b);
   settleSoftening(a, b, softness, loose);

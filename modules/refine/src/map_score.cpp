@@ -130,7 +130,7 @@ Vector beliefBent(const SpectralSurface& from,
                   const BentPair& pair,
                   bool laid) {
   Vector believed = belief(from, to, pair.maps.forward);
-  const std::vector<char> without = withoutPartner(from, to, pair, laid);
+  const std::vector<char> without = withoutPartner(from, to, pair, {laid});
   for (std::size_t v = 0; v < without.size(); ++v)
     if (without[v] != 0) believed[static_cast<Eigen::Index>(v)] = 0;
   return believed;

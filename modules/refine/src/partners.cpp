@@ -4,13 +4,10 @@
 #include <posture/mesh/normals.h>
 #include <posture/refine/partners.h>
 
-#include "elsewhere.h"
-
 namespace posture {
 namespace {
 
-/// A vertex more than an edge from its match, which is the rim of a hole or does not count; or one
-/// whose match does not count and belongs to another part of the surface.
+/// A vertex more than an edge from its match, which is the rim of a hole or does not count.
 std::vector<char> overHoles(const BendableSurface& a,
                             const BendableSurface& b,
                             const BentPair& pair) {
@@ -18,13 +15,23 @@ std::vector<char> overHoles(const BendableSurface& a,
   std::vector<char> over(pair.maps.forward.size(), 0);
   for (std::size_t v = 0; v < over.size(); ++v) {
     const int t = pair.maps.forward[v];
-    const auto i = static_cast<Eigen::Index>(v);
-    const bool is_apart = isApart(pair.apart_a, v);
-    over[v] = ((is_apart || (b.on_boundary[t] && !a.on_boundary[v])) &&
-               (pair.bent_a.row(i) - b.mesh.vertices.row(t)).norm() > edge) ||
-              (is_apart && liesElsewhere(a, i, t, pair.maps.backward, pair.apart_b));
+    over[v] = (isApart(pair.apart_a, v) || (b.on_boundary[t] && !a.on_boundary[v])) &&
+              (pair.bent_a.row(v) - b.mesh.vertices.row(t)).norm() > edge;
   }
   return over;
+}
+
+/// In square roots of the area, from a vertex to the counterpart of its match: farther, that is
+/// another part.
+constexpr double ANOTHER_PART = 0.1;
+
+/// Whether the match of a vertex belongs to another part of the surface.
+bool liesOnAnother(const BendableSurface& a, const BentPair& pair, std::size_t vertex) {
+  const int match = pair.maps.forward[vertex];
+  return !isApart(pair.apart_b, static_cast<std::size_t>(match)) &&
+         (a.mesh.vertices.row(pair.maps.backward[match]) -
+          a.mesh.vertices.row(static_cast<Eigen::Index>(vertex)))
+                 .norm() > ANOTHER_PART;
 }
 
 /// Vertices around which the bent surface looks the other way than what it lies on: a back laid on
@@ -51,9 +58,11 @@ std::vector<char> onTheInside(const BendableSurface& a,
 std::vector<char> withoutPartner(const BendableSurface& a,
                                  const BendableSurface& b,
                                  const BentPair& pair,
-                                 bool laid) {
+                                 const HowFound& found) {
   std::vector<char> without = overHoles(a, b, pair);
-  if (!laid) return without;
+  if (found.may_lack)
+    for (std::size_t v = 0; v < without.size(); ++v) without[v] |= liesOnAnother(a, pair, v);
+  if (!found.laid) return without;
   const std::vector<char> inside = onTheInside(a, b, pair);
   for (std::size_t v = 0; v < inside.size(); ++v) without[v] |= inside[v];
   return without;

@@ -77,8 +77,8 @@ FullMap toFullResolution(const RefinedShape& given_source,
                      pair);
   polish(a, b, softness, between > 0 ? LAST_ROUNDS : ROUNDS, map.pair);
   map.places = placesOnFaces(a, b, softness, map.pair);
-  map.laid = refined.laid;
-  map.without_partner = withoutPartner(a, b, map.pair, map.laid);
+  map.found = refined.found;
+  map.without_partner = withoutPartner(a, b, map.pair, map.found);
   return map;
 }
 
@@ -88,8 +88,8 @@ FullMap reversed(const RefinedShape& source, const RefinedShape& target, const F
   FullMap back;
   back.pair = reversed(map.pair);
   back.places = placesOnFaces(a, b, softness, back.pair);
-  back.laid = map.laid;
-  back.without_partner = withoutPartner(a, b, back.pair, back.laid);
+  back.found = map.found;
+  back.without_partner = withoutPartner(a, b, back.pair, back.found);
   return back;
 }
 

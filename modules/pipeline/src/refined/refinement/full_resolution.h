@@ -13,7 +13,7 @@ struct FullMap {
   BentPair pair;
   std::vector<FacePoint> places;      ///< of the source's vertices on the target
   std::vector<char> without_partner;  ///< the target has no such place
-  bool laid = false;                  ///< found by laying the surfaces over each other
+  HowFound found;                     ///< of the map between the work meshes
 };
 
 /// How many meshes between a side's work mesh and its full one a map is taken by.

@@ -203,14 +203,15 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
     RefinedMap& map = refined[i];
     map.finalist = i / WAYS;
     map.scale = finalists[map.finalist]->scale;
-    map.laid = finalists[map.finalist]->laid;
+    map.found = {finalists[map.finalist]->laid, may_lack};
     map.pair = starts[map.finalist];
     const SpectralSurface& work = surfaces.source(map.scale);
     const double softness = settlingSoftness(work.eigenvalues, target_work.eigenvalues);
     settleBy(static_cast<Way>(i % WAYS), softness, work, target_work, map.pair);
-    map.score = finalists[map.finalist]->bent ? scoreBent(work, target_work, map.pair, map.laid)
-                                              : scoreMaps(work, target_work, map.pair.maps);
-    if (!may_lack || map.laid) return;
+    map.score = finalists[map.finalist]->bent
+                    ? scoreBent(work, target_work, map.pair, map.found.laid)
+                    : scoreMaps(work, target_work, map.pair.maps);
+    if (!may_lack || map.found.laid) return;
     changeUnlessTorn(
         map, [&](RefinedMap& loose) { letGoOfWhatIsSqueezed(work, target_work, softness, loose); });
   });
@@ -223,7 +224,7 @@ void annealMap(const RefinedShape& source,
                const RefinedShape& target,
                bool may_lack,
                RefinedMap& map) {
-  if (map.laid) return;
+  if (map.found.laid) return;
   const MapScore judged = map.score;
   const RefinedShape scaled = rescaled(source, map.scale);
   const SpectralSurface source_work = scaled.workSurface(), target_work = target.workSurface();

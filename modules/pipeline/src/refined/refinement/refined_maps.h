@@ -3,6 +3,7 @@
 #pragma once
 
 #include <posture/refine/map_score.h>
+#include <posture/refine/partners.h>
 #include <posture/refine/settle.h>
 
 #include "refined/finalists/finalists.h"
@@ -13,9 +14,9 @@ namespace posture {
 
 /// A map between the work meshes with what speaks against it.
 struct RefinedMap {
-  int finalist = 0;   ///< index of the one it was made of
-  double scale = 1;   ///< what the source was multiplied by for it
-  bool laid = false;  ///< the two were laid over each other: much may be missing
+  int finalist = 0;  ///< index of the one it was made of
+  double scale = 1;  ///< what the source was multiplied by for it
+  HowFound found;    ///< laid over each other, much may be missing
   BentPair pair;
   MapScore score;
   /// By how much worse ends of limbs fit than under the map, of those it was compared with, under

@@ -117,7 +117,7 @@ Correspondence roughCorrespondenceOf(const GivenShape& source,
   const std::vector<char> without = withoutPartner(BendableSurface(source_shape.work.mesh),
                                                    BendableSurface(target_shape.work.mesh),
                                                    map.pair,
-                                                   map.laid);
+                                                   {map.found.laid});  // what is astray tells, too
   const std::size_t n = source.clean.clean_vertex.size();
   Correspondence correspondence;
   correspondence.on_target.resize(n);

@@ -34,7 +34,7 @@ constexpr double SCORE_NOISE = 0.1;
 MapScore scoreMaps(const SpectralSurface& a, const SpectralSurface& b, const VertexMaps& maps);
 
 /// The same for surfaces that were laid over each other or parts of which were let go of: places
-/// without a counterpart do not count either. \param laid  as for withoutPartner().
+/// without a counterpart do not count either. \param laid  as HowFound has it.
 MapScore scoreBent(const SpectralSurface& a,
                    const SpectralSurface& b,
                    const BentPair& pair,
