@@ -19,33 +19,30 @@ namespace {
 using test::answerWith;
 using test::mapOf;
 
-RegistrationResult best(std::vector<Attempt> attempts) {
+RegistrationResult best(std::vector<Attempt> attempts,
+                        const Extension& extended,
+                        bool refine_alternatives = false) {
   RegistrationOptions options;
-  options.refine_alternatives = true;
+  options.refine_alternatives = refine_alternatives;
   const Observer nobody;
   StageClock clock(nobody);
   const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
-  return bestAttempt(
-      std::move(attempts), target, options, [](const auto&) { return std::nullopt; }, clock);
+  return bestAttempt(std::move(attempts), target, options, extended, clock);
+}
+
+RegistrationResult best(std::vector<Attempt> attempts) {
+  return best(
+      std::move(attempts), [](const auto&) { return std::nullopt; }, true);
 }
 
 TEST(BestAttempt, whatAgreesWithTheExtendedAnswerIsNoRival) {
-  RegistrationOptions options;
-  const Observer nobody;
-  StageClock clock(nobody);
-  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
   const auto extendedTo = [&](const RegistrationResult& whole) {
     const std::vector<Attempt> attempts{{mapOf(-12, {0, -1, -1}), {}},
                                         {mapOf(-11.5, {-1, 1, 2}), {}}};
-    return bestAttempt(
-        attempts,
-        target,
-        options,
-        [&](const RegistrationResult& known) {
-          const bool is_best = known.correspondence.on_target[0].vertex == 0;
-          return is_best ? std::optional(whole) : std::nullopt;
-        },
-        clock);
+    return best(attempts, [&](const RegistrationResult& known) {
+      const bool is_best = known.correspondence.on_target[0].vertex == 0;
+      return is_best ? std::optional(whole) : std::nullopt;
+    });
   };
   const RegistrationResult alone = extendedTo(mapOf(-12, {0, 1, 2}));
   EXPECT_EQ(mappedCount(alone.correspondence.on_target), 3);
@@ -57,23 +54,14 @@ TEST(BestAttempt, whatAgreesWithTheExtendedAnswerIsNoRival) {
 }
 
 TEST(BestAttempt, ofTwoAnswersFoundWithPartsTheOneWinsThatFitsOverTheWhole) {
-  RegistrationOptions options;
-  const Observer nobody;
-  StageClock clock(nobody);
-  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
   const std::vector<Attempt> attempts{{mapOf(-12, {0, 1, 2}), {}}, {mapOf(-11.5, {1, 2, 0}), {}}};
   std::vector<int> asked;
-  const RegistrationResult result = bestAttempt(
-      attempts,
-      target,
-      options,
-      [&](RegistrationResult known) {
-        const int place = known.correspondence.on_target[0].vertex;
-        asked.push_back(place);
-        payForExtending(place == 0 ? -9.0 : -11.5, 0, known);
-        return std::optional(known);
-      },
-      clock);
+  const RegistrationResult result = best(attempts, [&](RegistrationResult known) {
+    const int place = known.correspondence.on_target[0].vertex;
+    asked.push_back(place);
+    payForExtending(place == 0 ? -9.0 : -11.5, 0, known);
+    return std::optional(known);
+  });
   EXPECT_THAT(asked, testing::ElementsAre(0, 1));
   EXPECT_EQ(result.correspondence.on_target[0].vertex, 1);
   EXPECT_EQ(result.score, -11.5);
@@ -83,70 +71,48 @@ TEST(BestAttempt, ofTwoAnswersFoundWithPartsTheOneWinsThatFitsOverTheWhole) {
 }
 
 TEST(BestAttempt, anAnswerThatDoesNotGoOnGivesWayToABetterOne) {
-  RegistrationOptions options;
-  const Observer nobody;
-  StageClock clock(nobody);
-  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
   const std::vector<Attempt> attempts{{mapOf(-8.5, {1, 2, 0}), {}}, {mapOf(-9.8, {0, 1, 2}), {}}};
-  const RegistrationResult result = bestAttempt(
-      attempts,
-      target,
-      options,
-      [](RegistrationResult known) -> std::optional<RegistrationResult> {
+  const RegistrationResult result =
+      best(attempts, [](RegistrationResult known) -> std::optional<RegistrationResult> {
         if (known.score > -9) return {};  // found with all there is
         payForExtending(-7.7, 0, known);
         return known;
-      },
-      clock);
+      });
   EXPECT_EQ(result.score, -8.5);
   EXPECT_EQ(result.correspondence.on_target[0].vertex, 1);
   EXPECT_EQ(result.status, Status::UNDECIDED);
 }
 
 TEST(BestAttempt, anAnswerThatDoesNotGoOnLeavesTheSameOneFoundWithAllThereIs) {
-  RegistrationOptions options;
-  const Observer nobody;
-  StageClock clock(nobody);
-  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
   RegistrationResult part = mapOf(-12, {0, 1, 2});
   part.source.compared_share = 0.5;
-  const RegistrationResult result = bestAttempt(
-      {{mapOf(-11, {0, 1, 2}), {}}, {part, {}}},
-      target,
-      options,
-      [](RegistrationResult known) -> std::optional<RegistrationResult> {
-        if (known.source.compared_share == 1) return {};
-        payForExtending(-7.7, 0, known);
-        return known;
-      },
-      clock);
+  const RegistrationResult result =
+      best({{mapOf(-11, {0, 1, 2}), {}}, {part, {}}},
+           [](RegistrationResult known) -> std::optional<RegistrationResult> {
+             if (known.source.compared_share == 1) return {};
+             payForExtending(-7.7, 0, known);
+             return known;
+           });
   EXPECT_EQ(result.score, -11);
   EXPECT_EQ(result.alternatives.size(), 1u) << "the other one agrees";
   EXPECT_DOUBLE_EQ(result.trust, 0.9);
 }
 
 TEST(BestAttempt, ofPartsWithOneAnswerTheOneThatWasExtendedStandsForAll) {
-  RegistrationOptions options;
-  const Observer nobody;
-  StageClock clock(nobody);
-  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
   const auto part = [](double score) {
     RegistrationResult result = mapOf(score, {1, 2, 0});
     result.source.compared_share = 0.5;
     return Attempt{result, {}};
   };
   int extensions = 0;
-  const RegistrationResult result = bestAttempt(
-      {{mapOf(-10, {0, 1, 2}), {}}, part(-12), part(-11.9)},
-      target,
-      options,
-      [&](RegistrationResult known) -> std::optional<RegistrationResult> {
-        if (!isOfPart(known)) return {};
-        ++extensions;
-        payForExtending(-9, 0, known);
-        return known;
-      },
-      clock);
+  const RegistrationResult result =
+      best({{mapOf(-10, {0, 1, 2}), {}}, part(-12), part(-11.9)},
+           [&](RegistrationResult known) -> std::optional<RegistrationResult> {
+             if (!isOfPart(known)) return {};
+             ++extensions;
+             payForExtending(-9, 0, known);
+             return known;
+           });
   EXPECT_EQ(extensions, 1);
   EXPECT_EQ(result.score, -10);
   EXPECT_EQ(result.status, Status::REGISTERED);
@@ -155,20 +121,13 @@ TEST(BestAttempt, ofPartsWithOneAnswerTheOneThatWasExtendedStandsForAll) {
 }
 
 TEST(BestAttempt, whereARivalComesToAgreeTheNextOneCounts) {
-  RegistrationOptions options;
-  const Observer nobody;
-  StageClock clock(nobody);
-  const TriangleMesh target{Points::Identity(3, 3), Faces(0, 3)};
   int extensions = 0;
-  const RegistrationResult result = bestAttempt(
+  const RegistrationResult result = best(
       {{mapOf(-12, {0, 1, 2}), {}}, {mapOf(-11.9, {1, 2, 0}), {}}, {mapOf(-10.9, {2, 0, 1}), {}}},
-      target,
-      options,
       [&](const RegistrationResult& known) -> std::optional<RegistrationResult> {
         ++extensions;
         return mapOf(known.score, {0, 1, 2});
-      },
-      clock);
+      });
   EXPECT_EQ(extensions, 2) << "the third is decisively worse";
   EXPECT_EQ(result.score, -12);
   ASSERT_EQ(result.alternatives.size(), 2u);
