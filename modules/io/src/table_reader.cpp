@@ -86,11 +86,14 @@ class TableReader {
     const std::string_view text = withoutComment(line, comment);
     if (columns_ == 0 && readNames(text.empty() ? comment : text, text.empty())) return;
     if (text.empty()) return;
-    splitRow(text);
+    const bool is_apart = splitRow(text);
     if (readCount()) return;
-    if (columns_ == 0) begin();
+    if (columns_ == 0) {
+      if (!is_apart) failDecimalCommas(text);
+      begin();
+    }
     if (lacksLast(columns_, text)) words_.emplace_back();
-    if (static_cast<int>(words_.size()) != columns_) failRow();
+    if (static_cast<int>(words_.size()) != columns_) failRow(text);
     for (int column = 0; column < columns_; ++column) {
       double value = std::numeric_limits<double>::quiet_NaN();
       const std::string_view word = words_[static_cast<std::size_t>(column)];
@@ -122,15 +125,16 @@ class TableReader {
   }
 
   /// Where commas or semicolons separate the names, a text in a row may have blanks in it.
-  void splitRow(std::string_view text) {
+  /// \return  whether the row is separated as the names are.
+  bool splitRow(std::string_view text) {
     if (layout_ && names_are_apart_) {
       split(text, Blanks::BELONG, words_);
       if (static_cast<int>(words_.size()) == columns_of_names_ ||
           lacksLast(columns_of_names_, text))
-        return;
+        return true;
     }
     split(text, Blanks::SEPARATE, words_);
-    failDecimalCommas(text);
+    return false;
   }
 
   /// Nothing behind the last separator is an empty word.
@@ -177,7 +181,8 @@ class TableReader {
     input_.failAt(offset_, inQuotes(word) + " is not a number");
   }
 
-  [[noreturn]] void failRow() const {
+  [[noreturn]] void failRow(std::string_view text) const {
+    failDecimalCommas(text);
     input_.failAt(offset_,
                   std::to_string(words_.size()) + " columns where " + std::to_string(columns_) +
                       " are expected (truncated?)");
