@@ -22,7 +22,7 @@ std::vector<char> overHoles(const BendableSurface& a,
 }
 
 /// In square roots of the area, from a vertex to the counterpart of its match: farther, that is
-/// another part.
+/// another part. Limbs are about that thick, and answers as far from each other are different ones.
 constexpr double ANOTHER_PART = 0.1;
 
 /// Whether the match of a vertex belongs to another part of the surface.
