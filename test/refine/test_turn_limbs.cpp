@@ -85,10 +85,23 @@ TEST_F(RefitLimbEnds, whatFitsStays) {
 TEST_F(RefitLimbEnds, aHandWithItsBackWhereThePalmBelongsIsTurned) {
   BentPair pair = annealedFrom(M_PI);
   EXPECT_GT(test::meanMiss(club_.mesh, pair.maps.forward), 1);
+  const BentPair before = pair;
   EXPECT_TRUE(refitEnd(pair));
   anneal(club_, other_, softness_, pair);
   EXPECT_LT(test::meanMiss(club_.mesh, pair.maps.forward), 0.5);
   EXPECT_LT(test::meanMiss(club_.mesh, pair.maps.backward), 0.5);
+  EXPECT_TRUE(limbFitsBetter(club_, other_, tip_, softness_, before, pair));
+  EXPECT_FALSE(limbFitsBetter(club_, other_, tip_, softness_, pair, before));
+}
+
+TEST_F(RefitLimbEnds, whatIsTornBehindTheEndCounts) {
+  const BentPair before = annealedFrom(0);
+  BentPair torn = before;
+  const std::vector<double>& from_tip = club_.distances.from(tip_);
+  for (int v = 0; v < club_.mesh.vertices.rows(); ++v)
+    if (from_tip[v] > 0.25 && from_tip[v] < 0.35) torn.bent_a.row(v) = before.bent_a.row(tip_);
+  EXPECT_FALSE(limbFitsBetter(club_, other_, tip_, softness_, before, torn));
+  EXPECT_TRUE(limbFitsBetter(club_, other_, tip_, softness_, torn, before));
 }
 
 TEST_F(RefitLimbEnds, aHandThatFitsInNoWayIsLeftAlone) {

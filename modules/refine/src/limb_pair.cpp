@@ -181,26 +181,35 @@ Limb limbAt(const SpectralSurface& whole, int tip, double reach) {
   return {std::move(vertex), std::move(far), reach, BendableSurface(std::move(part))};
 }
 
-double oneWayMisfit(const BendableSurface& a,
-                    const Part& part,
-                    const BendableSurface& b,
-                    double softness,
-                    const BentPair& pair) {
+double oneWayGap(const BendableSurface& a,
+                 const std::vector<int>& vertices,
+                 const BendableSurface& b,
+                 double softness,
+                 const BentPair& pair) {
   const std::vector<int>& matches = pair.maps.forward;
   const Vector weight = a.laplacian.mass.cwiseProduct(belief(a, b, matches, pair.apart_a));
-  const double sum = weight(part.vertex).sum();
+  const double sum = weight(vertices).sum();
   if (!(sum > 0)) return std::numeric_limits<double>::infinity();
   const Points normals_a = vertexNormals({pair.bent_a, a.mesh.faces}),
                normals_b = vertexNormals({pair.bent_b, b.mesh.faces});
   double off = 0;
-  for (int v : part.vertex) {
+  for (int v : vertices) {
     const int m = matches[v];
     off += weight[v] * (softness * ((pair.bent_a.row(v) - b.mesh.vertices.row(m)).squaredNorm() +
                                     (a.mesh.vertices.row(v) - pair.bent_b.row(m)).squaredNorm()) +
                         (normals_a.row(v) - b.normals.row(m)).squaredNorm() +
                         (a.normals.row(v) - normals_b.row(m)).squaredNorm());
   }
-  return part.arap.energy(pair.bent_a(part.vertex, Eigen::all)) + off / sum;
+  return off / sum;
+}
+
+double oneWayMisfit(const BendableSurface& a,
+                    const Part& part,
+                    const BendableSurface& b,
+                    double softness,
+                    const BentPair& pair) {
+  return part.arap.energy(pair.bent_a(part.vertex, Eigen::all)) +
+         oneWayGap(a, part.vertex, b, softness, pair);
 }
 
 LimbPair::LimbPair(const SpectralSurface& a,

@@ -32,8 +32,15 @@ struct Part {
   const Arap& arap;
 };
 
-/// What is left, on a part of a, of both energies that settle() brings down: of bending, and of
-/// distance and direction between each place and its match. Infinite where no match is believed.
+/// How far, in distance and direction, places of some vertices of a are from their matches: one of
+/// the two energies that settle() brings down. Infinite where no match is believed.
+double oneWayGap(const BendableSurface& a,
+                 const std::vector<int>& vertices,
+                 const BendableSurface& b,
+                 double softness,
+                 const BentPair& pair);
+
+/// That and the other one, of bending, on a part of a.
 double oneWayMisfit(const BendableSurface& a,
                     const Part& part,
                     const BendableSurface& b,

@@ -43,8 +43,9 @@ constexpr double MARGIN = 0.1;
 /// head with a quarter of the body around it would be no limb any more.
 constexpr double NECK = 0.1, BESIDE_NECK = 0.05;
 
-/// The end of a limb by which turns of it are judged.
-constexpr double END = 0.2;
+/// The end of a limb by which turns of it are judged, and how much is looked at to see what a turn
+/// did to the rest.
+constexpr double END = 0.2, AROUND = JOINTS.back() + MARGIN;
 
 /// Vertices of an end on either side. A tail of six vertices around fits where those of both meshes
 /// happen to fall on each other: of six ends with 36 to 47 vertices four were turned wrongly, of
@@ -70,18 +71,24 @@ class EndPair {
   EndPair(const SpectralSurface& a,
           const SpectralSurface& b,
           int tip,
+          double reach,
           double softness,
           const BentPair& pair)
       : whole_a_(a),
         whole_b_(b),
-        a_(limbAt(a, tip, END)),
-        b_(limbAt(b, pair.maps.forward[tip], END)),
+        a_(limbAt(a, tip, reach)),
+        b_(limbAt(b, pair.maps.forward[tip], reach)),
         softness_(softness) {}
 
   /// Whether there is enough of it to tell which way it is turned.
   bool isEnd() const { return std::min(a_.vertex.size(), b_.vertex.size()) >= FEWEST_TO_JUDGE; }
 
-  /// \param pair  of the whole surfaces.
+  /// \param pair  here and below of the whole surfaces.
+  double gap(const BentPair& pair) const {
+    return oneWayGap(whole_a_, a_.vertex, whole_b_, softness_, pair) +
+           oneWayGap(whole_b_, b_.vertex, whole_a_, softness_, reversed(pair));
+  }
+
   double misfit(const BentPair& pair) const {
     return oneWayMisfit(whole_a_, {a_.vertex, a_.surface->arap}, whole_b_, softness_, pair) +
            oneWayMisfit(
@@ -189,7 +196,7 @@ bool turnLimb(const SpectralSurface& a,
 
 bool refitLimbEnd(
     const SpectralSurface& a, const SpectralSurface& b, int tip, double softness, BentPair& pair) {
-  const EndPair end(a, b, tip, softness, pair);
+  const EndPair end(a, b, tip, END, softness, pair);
   if (!end.isEnd()) return false;
   const double in_place = end.misfit(pair);
   if (!(in_place >= FITS && std::isfinite(in_place))) return false;
@@ -218,6 +225,16 @@ bool refitLimbEnd(
   if (!(best.misfit < good && best.misfit < FITS_NOWHERE)) return false;
   pair = std::move(best.whole);
   return true;
+}
+
+bool limbFitsBetter(const SpectralSurface& a,
+                    const SpectralSurface& b,
+                    int tip,
+                    double softness,
+                    const BentPair& before,
+                    const BentPair& after) {
+  const EndPair limb(a, b, tip, AROUND, softness, before);
+  return limb.isEnd() && limb.gap(after) < limb.gap(before);
 }
 
 }  // namespace posture

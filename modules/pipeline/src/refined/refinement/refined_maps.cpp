@@ -109,9 +109,16 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   };
   std::vector<double> gains(tips.size(), 0);
   parallelFor(static_cast<int>(tips.size()), [&](int i) {
-    turns[i] = likelyTurns(
-        source_coarse, target_coarse, source.coarse.nearest[tips[i]], softness, coarse, MOST_TURNS);
-    gains[i] = map.score.total() - withTurns({i}, QUICK).score.total();
+    try {
+      turns[i] = likelyTurns(source_coarse,
+                             target_coarse,
+                             source.coarse.nearest[tips[i]],
+                             softness,
+                             coarse,
+                             MOST_TURNS);
+      gains[i] = map.score.total() - withTurns({i}, QUICK).score.total();
+    } catch (const TornSurface&) {  // the others may turn
+    }
   });
   std::vector<int> limbs;
   for (std::size_t i = 0; i < gains.size(); ++i)
@@ -167,10 +174,17 @@ void annealWithEndsRefitted(const RefinedShape& source,
                             BentPair& pair) {
   const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
   anneal(source_work, target_work, softness, pair);
-  for (int tip : source.tips())
-    if (!isApart(pair.apart_a, tip) && !isApart(pair.apart_b, pair.maps.forward[tip]))
-      refitLimbEnd(source_work, target_work, tip, softness, pair);
-  anneal(source_work, target_work, softness, pair);
+  bool is_settled = false;
+  for (int tip : source.tips()) {
+    if (isApart(pair.apart_a, tip) || isApart(pair.apart_b, pair.maps.forward[tip])) continue;
+    BentPair refitted = pair;
+    if (!refitLimbEnd(source_work, target_work, tip, softness, refitted)) continue;
+    anneal(source_work, target_work, softness, refitted);
+    if (!limbFitsBetter(source_work, target_work, tip, softness, pair, refitted)) continue;
+    pair = std::move(refitted);
+    is_settled = true;
+  }
+  if (!is_settled) anneal(source_work, target_work, softness, pair);
 }
 
 }  // namespace

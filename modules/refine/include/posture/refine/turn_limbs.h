@@ -55,4 +55,15 @@ bool turnLimb(const SpectralSurface& a,
 bool refitLimbEnd(
     const SpectralSurface& a, const SpectralSurface& b, int tip, double softness, BentPair& pair);
 
+/// Whether the limb at `tip`, with what is around it, lies better on its matches after its end was
+/// laid anew and all was annealed again. A head that turned in its skin drew each ear onto the
+/// other one. How it is bent does not count: a limb may be wound by a turn that is right.
+/// \param tip  a vertex of a, the end of a limb.
+bool limbFitsBetter(const SpectralSurface& a,
+                    const SpectralSurface& b,
+                    int tip,
+                    double softness,
+                    const BentPair& before,
+                    const BentPair& after);
+
 }  // namespace posture
