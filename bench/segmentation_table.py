@@ -145,6 +145,8 @@ def measure(folder, name, reference):
 
 
 def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
     posture, out = sys.argv[1:3]
     first, last = (int(x) for x in sys.argv[3:5]) if len(sys.argv) > 4 else (1, 16)
     everything = []
@@ -156,8 +158,13 @@ def main():
             if not os.path.exists(os.path.join(segments, "segments.json")):
                 subprocess.run([posture, "synthesize", "-q", "--kind", kind, "--pose", "0",
                                 str(pose), "--remesh", "-o", folder], check=True)
-                subprocess.run([posture, "segment", "-q", os.path.join(folder, reference + ".ply"),
-                                os.path.join(folder, name + ".ply"), "-o", segments], check=True)
+                run = subprocess.run([posture, "segment", "-q",
+                                      os.path.join(folder, reference + ".ply"),
+                                      os.path.join(folder, name + ".ply"), "-o", segments])
+                if run.returncode == 1:
+                    print(f"{kind}-{pose}: undecided")
+                    continue
+                run.check_returncode()
             index, least, count, rows = measure(folder, name, reference)
             everything.append((index, least, count, rows))
             print(f"{kind}-{pose}: index {index:.3f}, threshold {least:.1f}, {count} parts; "

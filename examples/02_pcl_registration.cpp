@@ -7,6 +7,7 @@
 // The shapes' points are used, without faces. TRUTH has a row `source_point target_point` for each
 // known pair.
 #include <posture/core/error.h>
+#include <posture/evaluation/truth.h>
 #include <posture/io/correspondence_io.h>
 #include <posture/io/shape_io.h>
 #include <posture/registration/isometric_registration.h>
@@ -68,7 +69,8 @@ int main(int argc, char** argv) {
   }
   try {
     const Cloud::Ptr source = read(argv[1]), target = read(argv[2]);
-    const std::vector<posture::VertexPair> truth = posture::readVertexPairs(argv[3]);
+    const std::vector<posture::VertexPair> truth = posture::readTruth(
+        argv[3], static_cast<int>(source->size()), static_cast<int>(target->size()));
     const double rigid =
         printError(registered<Rigid>("IterativeClosestPoint", source, target), *target, truth);
     const double bending =

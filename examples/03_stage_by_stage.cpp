@@ -71,9 +71,12 @@ double meanError(const DenseMap& map,
 }
 
 int run(const char* source_path, const char* target_path, const char* truth_path) {
-  const CleanMesh source_clean = cleanMesh(readMesh(source_path).mesh);
-  const CleanMesh target_clean = cleanMesh(readMesh(target_path).mesh);
-  const std::vector<VertexPair> truth = readVertexPairs(truth_path);
+  const TriangleMesh source_mesh = readMesh(source_path).mesh,
+                     target_mesh = readMesh(target_path).mesh;
+  const CleanMesh source_clean = cleanMesh(source_mesh), target_clean = cleanMesh(target_mesh);
+  const std::vector<VertexPair> truth = readTruth(truth_path,
+                                                  static_cast<int>(source_mesh.vertices.rows()),
+                                                  static_cast<int>(target_mesh.vertices.rows()));
   const EmbeddedShape source = embed("source", source_clean.mesh);
   const EmbeddedShape target = embed("target", target_clean.mesh);
 

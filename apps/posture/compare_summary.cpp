@@ -67,15 +67,18 @@ int countOf(const Runs& runs, const std::vector<std::string>& statuses) {
 /// The largest change of a pair's error against that of the aligned source.
 std::string changeCell(const Runs& of_method, const Runs& runs) {
   if (textAt(runs.front(), "variation") == "aligned") return "-";
+  std::map<std::string, double> aligned;
+  for (const Json& run : where(of_method, "variation", "aligned"))
+    aligned.emplace(textAt(run, "id"), errorOf(run));
   double largest_change = std::nan("");
-  for (const Json& run : runs)
-    for (const Json& aligned : where(of_method, "variation", "aligned")) {
-      const double before = errorOf(aligned), after = errorOf(run);
-      if (textAt(aligned, "id") != textAt(run, "id") || !isKnown(before)) continue;
-      if (!isKnown(after)) return "failed";
-      const double change = after == before ? 0 : std::abs(after / before - 1);
-      if (!(largest_change >= change)) largest_change = change;
-    }
+  for (const Json& run : runs) {
+    const auto found = aligned.find(textAt(run, "id"));
+    if (found == aligned.end() || !isKnown(found->second)) continue;
+    const double before = found->second, after = errorOf(run);
+    if (!isKnown(after)) return "failed";
+    const double change = after == before ? 0 : std::abs(after / before - 1);
+    if (!(largest_change >= change)) largest_change = change;
+  }
   return std::isinf(largest_change) ? "inf" : percent(largest_change);
 }
 

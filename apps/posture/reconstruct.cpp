@@ -57,8 +57,8 @@ void reconstructVerb(const ReconstructOptions& options, const Common& common) {
   for (const std::string& warning : surface.summary.warnings)
     std::fprintf(stderr, "posture: %s: %s\n", options.scan.c_str(), warning.c_str());
   const ReconstructionSummary& s = surface.summary;
-  std::printf("%d of %d points made a surface of %d vertices and %d faces: %d %s, %d %s%s\n",
-              s.points - s.missing - s.outliers,
+  std::printf("%ld of %d points made a surface of %d vertices and %d faces: %d %s, %d %s%s\n",
+              mappedCount(surface.on_mesh),
               s.points,
               s.vertices,
               s.faces,

@@ -141,12 +141,17 @@ void segmentVerb(const SegmentOptions& options, Common& common) {
     const auto& [path, reason] = poses.left_out.front();
     std::fprintf(stderr, "posture: %s: %s\n", path.c_str(), reason.c_str());
   }
-  removeSegmentFiles(options.folder);  // no mix of two results
   const bool any = !poses.results.empty();
   const ShapeSegments segments =
       any ? segmentShape(reference.shape, poses.results) : ShapeSegments{};
   const std::string described = documentText(describe(options, poses, segments));
-  if (any) writeFiles(options.folder, reference.shape, poses, segments, described);
+  removeSegmentFiles(options.folder);  // no mix of two results
+  try {
+    if (any) writeFiles(options.folder, reference.shape, poses, segments, described);
+  } catch (...) {  // no part of one either
+    removeSegmentFiles(options.folder);
+    throw;
+  }
   if (common.json)
     std::printf("%s", described.c_str());
   else if (any && !common.quiet)

@@ -33,8 +33,6 @@ class TargetPlaces {
                const std::filesystem::path& surface,
                const std::filesystem::path& vertices);
 
-  const TriangleMesh& mesh() const { return mesh_; }
-
   /// \throws InputError  there is nothing to measure on; names the file.
   TargetMetric metric() const;
 

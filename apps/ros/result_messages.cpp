@@ -144,7 +144,8 @@ MarkerArray segmentMarkers(const SideView& source,
   array.markers.push_back(emptyMarker(source.message.header, "segments", Marker::POINTS));
   array.markers.front().action = Marker::DELETEALL;
   if (segments == nullptr) return array;
-  const Colors palette = partPalette(segments->parts.label, segments->surface.mesh.faces);
+  const Colors palette =
+      partPalette(segments->parts.count, segments->parts.label, segments->surface.mesh.faces);
   const double size = spacingOf(result.source, source.shape);
   for (int part = 0; part < segments->parts.count; ++part) {
     Marker marker = emptyMarker(source.message.header, "segments", Marker::POINTS);

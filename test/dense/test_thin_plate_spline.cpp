@@ -70,7 +70,7 @@ TEST(ThinPlateSpline, crossValidationSmoothsNoiseAway) {
   EXPECT_LT(rms(chosen, from, truth), 1.1 * best);
 }
 
-TEST(ThinPlateSpline, fallsBackOnFewOrFlatPoints) {
+TEST(ThinPlateSpline, fallsBackOnFewPointsAndBendsFlatOnes) {
   for (int count : {1, 2, 3, 4}) {
     const Points from = randomPoints(count, 8), to = randomPoints(count, 9);
     EXPECT_LT(rms(ThinPlateSpline(from, to), from, to), 1e-9) << count;

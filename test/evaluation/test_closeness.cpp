@@ -40,6 +40,16 @@ TEST(Closeness, HalfAShapeCoversHalfOfTheOther) {
   EXPECT_EQ(measureCloseness(half, whole).moved_near, 1);
 }
 
+TEST(Closeness, OnePointFarOutIsNoSize) {
+  const Points target = test::grid(30, 40, 3, 4).vertices;
+  Points moved = target, wild = target;
+  moved.col(2).array() += 0.1;
+  wild.row(100).setConstant(1e6);
+  EXPECT_NEAR(measureCloseness(moved, wild).mean_distance,
+              measureCloseness(moved, target).mean_distance,
+              1e-3);
+}
+
 TEST(Closeness, DistanceIsInDiagonals) {
   const Points target = 50 * test::grid(30, 40, 3, 4).vertices;  // diagonal 250
   Points lifted = target;

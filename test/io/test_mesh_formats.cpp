@@ -73,6 +73,17 @@ TEST(Obj, normalsInOrderWhereNoFaceNamesThem) {
   EXPECT_EQ(parse(".obj", vertices).normals.rows(), 0);
 }
 
+TEST(Obj, noNormalsWhereAFaceNamesOneThatIsNotThere) {
+  // 2^64 / 3 rows of three numbers each would begin again at the first one.
+  for (const char* number : {"2", "6148914691236517206", "6148914691236517207"}) {
+    const std::string corner = std::string("//") + number;
+    const MeshFile file =
+        parse(".obj",
+              "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1" + corner + " 2" + corner + " 3" + corner);
+    EXPECT_EQ(file.normals.rows(), 0) << number;
+  }
+}
+
 TEST(Obj, colorsBehindThePosition) {
   const char* unit = "v 0 0 0 1 0 0\nv 1 0 0 0 1.0 0\nv 0 1 0 0 0 1\n";
   const char* byte = "v 0 0 0 255 0 0\nv 1 0 0 0 255 0\nv 0 1 0 0 0 255\n";
@@ -90,6 +101,11 @@ TEST(Obj, weightsAndContinuedLines) {
   EXPECT_EQ(file.mesh.vertices, corner_triangle);
   EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {0, 1, 2}}));
   EXPECT_EQ(file.colors.rows(), 0);
+}
+
+TEST(Obj, aBackslashWithinALineContinuesNothing) {
+  EXPECT_EQ(parse(".obj", "mtllib C:\\my files\\ scan.mtl\n" + four_vertices).mesh.vertices,
+            parse(".obj", four_vertices).mesh.vertices);
 }
 
 TEST(TextMeshes, linesOfAClassicMac) {

@@ -176,8 +176,8 @@ TEST(PartPalette, partsThatTouchDiffer) {
     const auto at = ball.vertices.row(static_cast<Eigen::Index>(v));
     label[v] = std::max(-1, (at[0] > 0) + 2 * (at[1] > 0) + 4 * (at[2] > 0) - 3);
   }
-  const Colors palette = partPalette(label, ball.faces);
-  ASSERT_EQ(palette.rows(), 5);
+  const Colors palette = partPalette(6, label, ball.faces);
+  ASSERT_EQ(palette.rows(), 6);  // one that has faces alone among them
   for (Eigen::Index f = 0; f < ball.faces.rows(); ++f)
     for (int k = 0; k < 3; ++k) {
       const int a = label[ball.faces(f, k)], b = label[ball.faces(f, (k + 1) % 3)];
@@ -185,6 +185,7 @@ TEST(PartPalette, partsThatTouchDiffer) {
         EXPECT_GT(distance(palette, a, b), 60);
       }
     }
+  EXPECT_THROW(partPalette(4, label, ball.faces), std::invalid_argument);
   const Colors colors = partColors(label, palette);
   for (std::size_t v = 0; v < label.size(); ++v) {
     const auto row = colors.row(static_cast<Eigen::Index>(v));
@@ -194,7 +195,7 @@ TEST(PartPalette, partsThatTouchDiffer) {
       EXPECT_EQ(row, palette.row(label[v]));
     }
   }
-  EXPECT_THROW(partColors({5}, palette), std::invalid_argument);
+  EXPECT_THROW(partColors({6}, palette), std::invalid_argument);
 }
 
 }  // namespace

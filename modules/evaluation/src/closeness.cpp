@@ -38,6 +38,16 @@ double spacingOf(const Points& finite, const PointIndex& index) {
   return percentile(spacings, 0.5);
 }
 
+/// Of the box that holds the middle 98 % along each axis: one point thrown far out is no size.
+double diagonalOf(const Points& points) {
+  Eigen::Vector3d box;
+  for (int k = 0; k < 3; ++k) {
+    const std::vector<double> along(points.col(k).begin(), points.col(k).end());
+    box[k] = percentile(along, 0.99) - percentile(along, 0.01);
+  }
+  return box.norm();
+}
+
 double shareWithin(const std::vector<double>& lengths, double limit) {
   const auto within =
       std::count_if(lengths.begin(), lengths.end(), [&](double l) { return l <= limit; });
@@ -50,7 +60,7 @@ Closeness measureCloseness(const Points& moved, const Points& target) {
   const Points from = seenOf(moved), to = seenOf(target);
   const PointIndex from_index(from), to_index(to);
   const double spacing = spacingOf(to, to_index);
-  const double diagonal = (to.colwise().maxCoeff() - to.colwise().minCoeff()).norm();
+  const double diagonal = diagonalOf(to);
   const std::vector<double> there = distances(from, to_index), back = distances(to, from_index);
   return {mean(there) / diagonal, shareWithin(there, spacing), shareWithin(back, spacing)};
 }

@@ -31,7 +31,6 @@ std::vector<VertexPair> readTruth(const std::filesystem::path& truth,
     return pairs;
   }
   pairs = readVertexPairs(truth);
-  if (pairs.empty()) throw InputError(truth.string() + ": holds no pair");
   for (const VertexPair& pair : pairs) {
     checkVertex(truth.string(), "source", pair.source, source_vertices);
     checkVertex(truth.string(), "target", pair.target, target_vertices);

@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::int64_t MOST_NUMBERS = std::numeric_limits<int>::max();
 
+/// Their half-edges are numbered, too.
+constexpr std::int64_t MOST_FACES = MOST_NUMBERS / 3;
+
 bool allFinite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
@@ -85,7 +88,8 @@ void MeshBuilder::checkHighestCorner() const {
 
 MeshFile MeshBuilder::finish(ColorRange range) {
   if (coordinates_.empty()) input_.fail("there are no vertices in it");
-  if (std::max(coordinates_.size(), corners_.size()) / 3 >= static_cast<std::size_t>(MOST_NUMBERS))
+  if (coordinates_.size() / 3 >= static_cast<std::size_t>(MOST_NUMBERS) ||
+      corners_.size() / 3 >= static_cast<std::size_t>(MOST_FACES))
     input_.fail("more vertices or faces than can be numbered");
   checkHighestCorner();
   if (first_unseen_ && !corners_.empty()) failUnseen(first_unseen_->first, first_unseen_->second);

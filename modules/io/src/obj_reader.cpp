@@ -47,7 +47,7 @@ class ObjReader {
   /// The next word of a statement, which goes on behind a backslash at the end of its line.
   std::string_view next() {
     std::string_view word = text_.wordOnLine();
-    while (!word.empty() && word.back() == '\\') {
+    while (!word.empty() && word.back() == '\\' && text_.isAtLineEnd()) {
       word.remove_suffix(1);
       text_.skipLine();
       if (word.empty()) word = text_.wordOnLine();
@@ -115,8 +115,8 @@ class ObjReader {
     std::vector<double> normals;
     normals.reserve(3 * normal_of_vertex_.size());
     for (const std::int64_t normal : normal_of_vertex_) {
+      if (normal < 0 || static_cast<std::size_t>(normal) >= normals_.size() / 3) return {};
       const auto row = 3 * static_cast<std::size_t>(normal);
-      if (normal < 0 || row + 3 > normals_.size()) return {};
       normals.insert(normals.end(), {normals_[row], normals_[row + 1], normals_[row + 2]});
     }
     return normals;

@@ -133,10 +133,11 @@ struct BinaryPlaces {
 BinaryPlaces placesOf(const PcdHeader& header) {
   BinaryPlaces places;
   const bool by_field = header.encoding == PcdEncoding::COMPRESSED;
+  const std::size_t record = header.record();
   std::size_t offset = 0;
   for (const PcdField& field : header.fields) {
     places.first.push_back(offset);
-    places.step.push_back(by_field ? field.bytes() : header.record());
+    places.step.push_back(by_field ? field.bytes() : record);
     offset += by_field ? field.bytes() * header.points : field.bytes();
   }
   return places;

@@ -4,6 +4,8 @@
 
 #include "text_reader.h"
 #include <algorithm>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace posture {
@@ -52,8 +54,7 @@ class HeaderReader {
     const std::int64_t count = text_.integer(text_.wordOnLine(), what.c_str());
     if (count < 0) text_.fail(what + " is negative: " + std::to_string(count));
     element.count = static_cast<std::size_t>(count);
-    const auto same = [&](const PlyElement& other) { return other.name == element.name; };
-    if (std::any_of(header_.elements.begin(), header_.elements.end(), same))
+    if (!names_.insert(element.name).second)
       text_.fail("a second element " + inQuotes(element.name));
     header_.elements.push_back(std::move(element));
   }
@@ -99,6 +100,7 @@ class HeaderReader {
 
   TextReader text_;
   PlyHeader header_;
+  std::set<std::string> names_;  // of elements
 };
 
 }  // namespace

@@ -91,6 +91,11 @@ std::string_view TextReader::word() {
   return wordOnLine();
 }
 
+bool TextReader::isAtLineEnd() {
+  skipBlanks();
+  return offset_ == text_.size() || text_[offset_] == '\n';
+}
+
 void TextReader::skipLine() {
   const std::size_t end = text_.find('\n', offset_);
   offset_ = end == std::string_view::npos ? text_.size() : end + 1;

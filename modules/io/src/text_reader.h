@@ -26,6 +26,8 @@ class TextReader {
   std::string_view word();
   /// The next word on this line; empty at its end.
   std::string_view wordOnLine();
+  /// Whether nothing more than blanks and a comment is on this line.
+  bool isAtLineEnd();
   /// Leaves this line and any blank ones after it; false at the end of the file.
   bool nextLine();
   /// Whether nothing is left but blank lines, comments and what pads files: zeros, or the

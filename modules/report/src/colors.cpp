@@ -182,7 +182,7 @@ Colors transferColors(const Colors& source,
   return of_points;
 }
 
-Colors partPalette(const std::vector<int>& label, const Faces& faces) {
+Colors partPalette(int count, const std::vector<int>& label, const Faces& faces) {
   // Of the qualitative palettes of Harrower and Brewer (2003), paler ones last.
   static constexpr std::array<std::array<std::uint8_t, 3>, 12> COLORS{{{31, 120, 180},
                                                                        {255, 127, 0},
@@ -196,8 +196,7 @@ Colors partPalette(const std::vector<int>& label, const Faces& faces) {
                                                                        {251, 154, 153},
                                                                        {202, 178, 214},
                                                                        {27, 158, 119}}};
-  const int count =
-      label.empty() ? 0 : 1 + std::max(-1, *std::max_element(label.begin(), label.end()));
+  for (int part : label) require(part < count, "part " + std::to_string(part) + " is none");
   std::vector<std::set<int>> beside(count);
   for (Eigen::Index f = 0; f < faces.rows(); ++f)
     for (int k = 0; k < 3; ++k) {

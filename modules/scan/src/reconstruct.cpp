@@ -9,6 +9,7 @@
 #include "noisy/front_end.h"
 #include "points/distinct_points.h"
 #include "points/outside_hints.h"
+#include "points/spacing.h"
 #include "surface/mesh_locator.h"
 #include <algorithm>
 #include <cmath>
@@ -104,7 +105,7 @@ void joinCleanPoints(const PointCloud& cloud,
   placePoints(cloud, belongs, surface);
   std::vector<char> is_outlier(distinct.input.size(), 0);
   for (std::size_t row = 0; row < belongs.size(); ++row) {
-    if (!(surface.offset[row] > 4 * surface.summary.spacing)) continue;
+    if (!(surface.offset[row] > SURFACE_REACH * surface.summary.spacing)) continue;
     is_outlier[distinct.place[row]] = 1;
     surface.on_mesh[row] = {};
     surface.offset[row] = 0;

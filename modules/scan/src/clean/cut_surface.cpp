@@ -17,8 +17,8 @@ namespace {
 
 /// How long faces are, in spacings. Longer ones than LONG bridge gaps, between two hooves, or lie
 /// where points are far apart, along a mane: they are left out where they make a handle. Those
-/// longer than LONGEST, the reach of the tangent-plane triangles, bridge what has no points.
-constexpr double LONG = 2.5, LONGEST = 4;
+/// longer than SURFACE_REACH bridge what has no points.
+constexpr double LONG = 2.5;
 
 /// A face of the surface: tetrahedron 4 t + k is inside, the one across from corner k outside.
 class CutFaces {
@@ -67,7 +67,7 @@ class CutFaces {
         h = std::max({h, spacing.at[face[k]], along[face[k]]});
         length = std::max(length, (points.row(face[k]) - points.row(face[(k + 1) % 3])).norm());
       }
-      if (length > LONGEST * h) continue;
+      if (length > SURFACE_REACH * h) continue;
       sides.push_back(side);
       length_.push_back(length / h);
     }

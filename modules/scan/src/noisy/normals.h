@@ -9,7 +9,7 @@ namespace posture {
 
 struct EstimatedNormals {
   Points normals;       ///< n x 3, unit, of any sign
-  double residual = 0;  ///< median distance of the points from the plane of their 10 neighbours
+  double residual = 0;  ///< median of the r.m.s. distance of 10 neighbours from their plane
   double relative_residual = 0;  ///< the same in spacings
 };
 

@@ -85,7 +85,7 @@ class Stars {
   /// sheet tells it.
   double reachOf(int i) const {
     constexpr int EIGHTH = 8;
-    constexpr double TIMES_SPACING = 4, SPARSEST = 2.5;  // in spacings over all sheets
+    constexpr double SPARSEST = 2.5;  // in spacings over all sheets
     int same = 0;
     double radius = 0;
     for (int j : neighbors_.row(i)) {
@@ -96,7 +96,7 @@ class Stars {
     }
     const double most = SPARSEST * spacing_[i];
     const double side = same < EIGHTH ? most : radius * std::sqrt(M_PI / EIGHTH);
-    return TIMES_SPACING * std::clamp(side, spacing_[i], most);
+    return SURFACE_REACH * std::clamp(side, spacing_[i], most);
   }
 
   std::vector<FlatNeighbor> flatten(int i, double reach) const {

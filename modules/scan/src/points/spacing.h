@@ -15,6 +15,10 @@ struct Spacing {
   double median = 0;       ///< over the points
 };
 
+/// How far a surface goes on from a point, in spacings: faces are not longer, and what is farther
+/// from the surface is no part of it.
+constexpr double SURFACE_REACH = 4;
+
 /// How far the weights of neighbours reach: the sigma of their Gaussian.
 inline double reach(double spacing) { return 1.2 * spacing; }
 

@@ -78,8 +78,6 @@ class EdgeSet {
     return std::find(added_.begin(), added_.end(), added) != added_.end();
   }
   void add(int a, int b) { added_.emplace_back(std::minmax(a, b)); }
-  std::size_t added() const { return added_.size(); }
-  void takeBack(std::size_t size) { added_.resize(size); }
   void forget() { added_.clear(); }
 
  private:

@@ -9,7 +9,7 @@ namespace posture {
 /// How two sets of points lie on each other, meshes and clouds alike.
 struct Closeness {
   double mean_distance = 0;  ///< of a moved point from the nearest target point, over the diagonal
-                             ///< of the target's box
+                             ///< of the box of the middle 98 % of the target along each axis
   double moved_near = 0;     ///< share of the moved points within one spacing of a target point
   double target_near = 0;    ///< share of the target points within one spacing of a moved point
 };

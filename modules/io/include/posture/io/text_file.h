@@ -7,7 +7,7 @@
 
 namespace posture {
 
-/// The bytes of a whole file, but for a UTF-8 byte-order mark before them.
+/// The text of a whole file, without a UTF-8 byte-order mark; line ends of a classic Mac become LF.
 ///
 /// \throws InputError  one line "<path>: <what is wrong>": missing, no regular file, empty, or it
 ///         cannot be read.

@@ -19,8 +19,8 @@ struct HolePatches {
 /// the surface goes on across, where a soap film in the rim is, on the mean, less than 75 degrees
 /// away from it. Long gaps between parts that lie side by side and the borders of sheets stay open.
 /// Patches go on smoothly from the surface (least squared umbrellas, Kobbelt et al. 1998; the film
-/// itself where that overshoots) and are about as fine as the rim. They have fewer vertices than
-/// the mesh: what goes beyond that stays open.
+/// itself where that overshoots) and are about as fine as the rim. They have no more vertices
+/// than the mesh: what goes beyond that stays open.
 /// \param mesh  oriented; edges of more than two faces, or of faces that disagree, are no holes.
 HolePatches patchHoles(const TriangleMesh& mesh);
 

@@ -55,8 +55,11 @@ Colors transferColors(const Colors& source,
                       const std::optional<ScanSurface>& scan);
 
 /// One colour a part, strong and few, so that parts that touch differ and large ones are told apart
-/// best. \param label  n: part of each vertex, the largest first; -1: none.
-Colors partPalette(const std::vector<int>& label, const Faces& faces);
+/// best.
+/// \param count  of the parts, some of which may have no vertex.
+/// \param label  n: part of each vertex, the largest first; -1: none.
+/// \throws std::invalid_argument  a part beyond `count`.
+Colors partPalette(int count, const std::vector<int>& label, const Faces& faces);
 
 /// Each vertex (point) in its part's colour; grey where it has none.
 /// \throws std::invalid_argument  a part without a colour.

@@ -30,13 +30,13 @@ struct ReconstructionSummary {
   int points = 0;
   int missing = 0;         ///< not finite
   int repeated = 0;        ///< at the very place of another
-  int outliers = 0;        ///< alone, or in a group too small to be a part
+  int outliers = 0;        ///< places, alone or in a group too small to be a part
   int dropped_pieces = 0;  ///< pieces of surface too small to keep
   /// The points have no noise and are the vertices; otherwise the surface is laid through noise.
   bool through_points = false;
   double spacing = 0;  ///< of the points: the side of the square each one stands for
-  /// Median distance of the points from the plane of their neighbours; where the surface goes
-  /// through the points, the most that their distance from curved neighbourhoods allows.
+  /// Median of the root mean square distance of ten neighbours from their plane; where the surface
+  /// goes through the points, the most that their distance from curved neighbourhoods allows.
   double noise = 0;
   double mesh_spacing = 0;  ///< of the vertices
   int averaged = 0;         ///< neighbours averaged into one point first; 0: the noise was small

@@ -48,7 +48,8 @@ ArticulatedBody makeBody(const BodyOptions& options);
 /// left out where the target has no surface there (a hole), that is, within its mean edge length.
 std::vector<VertexPair> groundTruth(const ArticulatedBody& source, const ArticulatedBody& target);
 
-/// The same for the answer that took left for right: the rest place reflected in x = 0.
+/// The same for the answer that took left for right: the rest place reflected in x = 0, and the
+/// reach larger by as much as the body's sides differ.
 std::vector<VertexPair> mirrorTruth(const ArticulatedBody& source, const ArticulatedBody& target);
 
 }  // namespace posture

@@ -39,7 +39,7 @@ SimulatedScan scanBody(const ArticulatedBody& body, const ScanOptions& options);
 /// whose place is nearest, left out where the target has not seen it, that is, within 1.5 spacings.
 std::vector<VertexPair> groundTruth(const SimulatedScan& source, const SimulatedScan& target);
 
-/// The same for the answer that took left for right.
+/// The same for the answer that took left for right, within more: the body's sides differ.
 std::vector<VertexPair> mirrorTruth(const SimulatedScan& source, const SimulatedScan& target);
 
 }  // namespace posture
