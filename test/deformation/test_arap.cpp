@@ -256,6 +256,7 @@ TEST(Arap, refusesSizesThatDoNotFit) {
   const Points& right = sphere.vertices;
   const Points wrong = right.topRows(5);
   EXPECT_THROW(surface.arap.attract(1, Vector::Ones(5)), std::invalid_argument);
+  EXPECT_THROW(surface.arap.attract(1, {}, wrong), std::invalid_argument);
   const Arap::Attraction attraction = surface.arap.attract(1);
   EXPECT_THROW(surface.arap.pull(wrong, right, attraction, 1), std::invalid_argument);
   EXPECT_THROW(surface.arap.pull(right, wrong, attraction, 1), std::invalid_argument);

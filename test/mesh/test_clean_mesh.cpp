@@ -287,7 +287,7 @@ TEST(CleanMesh, refusesMeshesWithoutSurface) {
   TriangleMesh collapsed = test::sphere(0);
   collapsed.vertices.setZero();
   EXPECT_THROW(cleanMesh(collapsed), InputError);
-  for (const double unit : {1e-20, 1.0, 1e20}) {
+  for (const double unit : {1e-15, 1.0, 1e15}) {
     TriangleMesh line = test::grid(9, 4, 1, 1);
     const Eigen::RowVector3d along(0.3, 0.7, -0.2);
     for (int v = 0; v < line.vertices.rows(); ++v) line.vertices.row(v) = 0.1 * v * unit * along;
@@ -302,7 +302,7 @@ TEST(CleanMesh, refusesUnitsThatItCannotMeasureIn) {
   const TriangleMesh sphere = test::sphere(2);
   TriangleMesh mesh = sphere;
   const auto refusal = [&] { return test::inputErrorOf([&] { cleanMesh(mesh); }); };
-  for (const double unit : {1e-300, 1e-150, 1e-60}) {
+  for (const double unit : {1e-300, 1e-150, 1e-60, 1e-20}) {
     mesh.vertices = unit * sphere.vertices;
     EXPECT_EQ(refusal(), "is too small to compute with") << unit;
   }
@@ -310,7 +310,9 @@ TEST(CleanMesh, refusesUnitsThatItCannotMeasureIn) {
     mesh.vertices = unit * sphere.vertices;
     EXPECT_EQ(refusal(), "has coordinates too large to compute with") << unit;
   }
-  for (const double unit : {1e-49, 1e49}) {
+  mesh.vertices = 1e20 * sphere.vertices;
+  EXPECT_EQ(refusal(), "is too large to compute with");
+  for (const double unit : {1e-17, 1e17}) {
     mesh.vertices = unit * sphere.vertices;
     EXPECT_NO_THROW(cleanMesh(mesh)) << unit;
   }

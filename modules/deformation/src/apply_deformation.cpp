@@ -198,8 +198,7 @@ DeformedSurface joinedSurface(const TriangleMesh& source, const Points& deformed
   cleanMesh(source);  // refuses what is no surface
   const std::vector<int> first = weld(source.vertices);
   DeformedSurface surface;
-  surface.rest.faces = source.faces;
-  for (int& v : surface.rest.faces.reshaped()) v = first[v];
+  surface.rest.faces = weldedFaces(source.faces, first);
   const std::vector<int> kept =
       compactVerticesByUse(surface.rest.faces, static_cast<int>(source.vertices.rows()));
   surface.rest.vertices = source.vertices(kept, Eigen::all);

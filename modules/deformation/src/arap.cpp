@@ -204,6 +204,7 @@ Arap::Attraction Arap::attract(double softness,
                                const Points& bent) const {
   require(confidence.size() == 0 || confidence.size() == impl_->mass.size(),
           "Arap: one confidence a vertex");
+  require(bent.rows() == 0 || bent.rows() == impl_->mass.size(), "Arap: one place a vertex");
   auto attraction = std::make_unique<Attraction::Impl>();
   // A trace of every goal keeps parts that nothing pulls from being singular.
   constexpr double TRACE = 1e-9;

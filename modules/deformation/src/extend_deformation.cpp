@@ -109,7 +109,12 @@ void layRegion(const TriangleMesh& rest,
       start.row(i) = taken_along.row(i);
     }
   const Arap arap(near, laplacian);
-  const Points laid = arap.pull(start, start, arap.attract(1, hold), ITERATIONS);
+  Points laid;
+  try {
+    laid = arap.pull(start, start, arap.attract(1, hold), ITERATIONS);
+  } catch (const TornSurface&) {
+    return;
+  }
   if (!laid.allFinite()) return;
   for (int i = 0; i < hold.size(); ++i)
     if (hold[i] == 0) places.row(vertex[i]) = laid.row(i);

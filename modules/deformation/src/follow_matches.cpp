@@ -8,18 +8,21 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+
 namespace posture {
 namespace {
 
-/// Known vertices around `start`, ring by ring, until there are enough for a rigid motion that one
-/// wrong match does not decide.
+/// Of these a rigid motion is made that one wrong match does not decide.
+constexpr std::size_t ENOUGH = 12;
+
+/// Known vertices around `start`, ring by ring, until there are enough.
 class KnownNearby {
  public:
   KnownNearby(const VertexNeighbors& neighbors, const std::vector<char>& known)
       : neighbors_(neighbors), known_(known), seen_(known.size(), -1) {}
 
   const std::vector<int>& find(int start) {
-    constexpr std::size_t ENOUGH = 12;
     ++query_;
     found_.clear();
     ring_.assign(1, start);
@@ -59,6 +62,11 @@ Points followMatches(const TriangleMesh& mesh,
               static_cast<int>(anchor.size()) == e,
           "followMatches: sizes do not agree");
   const VertexNeighbors neighbors(mesh.faces, n);
+  // Few altogether move everything: nobody need look for them over all of the surface.
+  std::vector<int> all;
+  for (int v = 0; v < n && all.size() < ENOUGH; ++v)
+    if (known[v]) all.push_back(v);
+  const bool few = all.size() < ENOUGH;
   Points moved(n + e, 3);
   forBlocks(n + e, [&](int first, int last) {
     KnownNearby nearby(neighbors, known);
@@ -67,7 +75,7 @@ Points followMatches(const TriangleMesh& mesh,
         moved.row(i) = places.row(i);
         continue;
       }
-      const std::vector<int>& around = nearby.find(i < n ? i : anchor[i - n]);
+      const std::vector<int>& around = few ? all : nearby.find(i < n ? i : anchor[i - n]);
       const Eigen::Isometry3d motion =
           rigidMotion(mesh.vertices(around, Eigen::all), places(around, Eigen::all));
       const Eigen::Vector3d point =

@@ -164,7 +164,7 @@ CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
     summary.loose_vertices += referenced[v] != 0 && clean.clean_vertex[v] < 0;
   }
 
-  requireNotTooSmall(extentOf(clean.mesh.vertices));
+  requireSurfaceExtent(extentOf(clean.mesh.vertices));
   if (!(parts.area[parts.largest] > areaOfRounding(clean.mesh.vertices)))
     throw InputError("has only faces without area");
   clean.offset = Vector::Zero(n);

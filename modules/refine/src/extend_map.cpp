@@ -132,10 +132,9 @@ void grow(const SpectralSurface& a, const SpectralSurface& b, double softness, B
 }
 
 /// Whether the way there and back ends near v.
-bool comesBack(const SpectralSurface& a, const BentPair& pair, int v) {
+bool comesBack(const SpectralSurface& a, const BentPair& pair, double near, int v) {
   const int back = pair.maps.backward[pair.maps.forward[v]];
-  return (a.mesh.vertices.row(back) - a.mesh.vertices.row(v)).norm() <
-         BACK * meanEdgeLength(a.mesh);
+  return (a.mesh.vertices.row(back) - a.mesh.vertices.row(v)).norm() < near;
 }
 
 /// The vertices of a that stay apart: those, too, that came in and do not come back, or do not hang
@@ -143,12 +142,13 @@ bool comesBack(const SpectralSurface& a, const BentPair& pair, int v) {
 std::vector<char> apartStill(const SpectralSurface& a,
                              const std::vector<char>& before,
                              const BentPair& pair) {
+  const double near = BACK * meanEdgeLength(a.mesh);
   std::vector<char> apart(before.size(), 1), may_come(before.size(), 0);
   std::vector<int> front;
   for (int v = 0; v < static_cast<int>(before.size()); ++v) {
     if (isApart(pair.apart_a, v)) continue;
     if (before[v] != 0) {
-      may_come[v] = comesBack(a, pair, v);
+      may_come[v] = comesBack(a, pair, near, v);
     } else {
       apart[v] = 0;
       front.push_back(v);

@@ -43,8 +43,8 @@ struct PatchedSides {
 };
 
 /// Registers the shapes with holes closed, on surfaces that are cut open at contacts; where that
-/// does not convince, also on those that are not, as a cut may be of what is no contact. Patches
-/// are left out of its results.
+/// does not convince, also on those that are not, if they have holes to close, as a cut may be of
+/// what is no contact. Patches are left out of its results.
 ///
 /// \param uncut  makes these; empty where there is no contact. What it returns outlives the
 /// attempt,

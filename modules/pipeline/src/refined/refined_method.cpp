@@ -70,8 +70,8 @@ void reduceSides(PosedSide& source, PosedSide& target) {
   source.shape = fullSide("source", source_surface, isMuchCoarser(source_surface, target_surface));
   target.shape = fullSide("target", target_surface, false);
   parallelFor(2, [&](int side) {
-    if (side == 0) reduceSide(vertexCount(target.given, target.shape), source.shape);
-    if (side == 1) reduceSide(vertexCount(source.given, source.shape), target.shape);
+    if (side == 0) reduceSide("source", vertexCount(target.given, target.shape), source.shape);
+    if (side == 1) reduceSide("target", vertexCount(source.given, source.shape), target.shape);
   });
 }
 

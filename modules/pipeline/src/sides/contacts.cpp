@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sides/contacts.h"
 
+#include <posture/core/error.h>
 #include <posture/core/parallel.h>
 #include <posture/core/shortest_ways.h>
 #include <posture/deformation/reduce_mesh.h>
@@ -203,6 +204,7 @@ std::vector<int> onTheWay(const TriangleMesh& mesh, const std::vector<std::pair<
 
 /// Vertices along the contact that opens a handle with a long way around; none: there is no such
 /// handle.
+/// \throws InputError  the surface falls apart on fewer vertices
 std::vector<int> alongContact(const TriangleMesh& surface) {
   std::optional<ReducedMesh> less;
   if (surface.vertices.rows() > SEAM_VERTICES) less = reduceMesh(surface, SEAM_VERTICES);
@@ -236,7 +238,11 @@ PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean) {
   for (int rings = 0; rings < MOST_RINGS; ++rings) {
     const TriangleMesh& surface = cut.clean().mesh;
     if (Handles(cutNonManifold(surface).mesh).count() == 0) break;
-    const std::vector<int> along = alongContact(surface);
+    std::vector<int> along;
+    try {
+      along = alongContact(surface);
+    } catch (const InputError&) {  // the method says so
+    }
     if (along.empty() || !cut.cutOut(along)) break;
     ++contacts;
   }

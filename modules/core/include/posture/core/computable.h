@@ -21,4 +21,11 @@ inline void requireNotTooSmall(double extent) {
   if (extent > 0 && extent < LEAST) throw InputError("is too small to compute with");
 }
 
+/// Distances on a surface are kept in single precision, and squared.
+inline void requireSurfaceExtent(double extent) {
+  constexpr double LEAST = 1e-18, LARGEST = 1e18;
+  if (extent > 0 && extent < LEAST) throw InputError("is too small to compute with");
+  if (extent > LARGEST) throw InputError("is too large to compute with");
+}
+
 }  // namespace posture

@@ -20,6 +20,7 @@ struct ReducedMesh {
 /// Reduces a connected mesh to about `count` of its vertices, spread evenly: farthest-point samples
 /// are kept, the others collapsed (collapseToVertices), and edges then flipped towards a Delaunay
 /// triangulation, as the Laplacian asks for. A mesh of at most `count` vertices keeps its faces.
+/// \throws InputError  no face is left: edges with more than two faces are not collapsed.
 ReducedMesh reduceMesh(const TriangleMesh& mesh, int count);
 
 /// Flips edges whose opposite angles sum to more than pi, except where a face would come to lie

@@ -26,6 +26,9 @@ constexpr double BESIDE = 0.1;
 
 constexpr std::size_t LEAST_NEIGHBORS = 6;
 
+/// So many vertices of the main surface, evenly taken, tell motions as well as a million.
+constexpr std::size_t MOST_OF_MAIN = 20000;
+
 /// Fewer vertices have no motion of their own: they stay with the vertex next to them.
 constexpr std::size_t LEAST_PIECE = 3;
 
@@ -142,7 +145,10 @@ class Placing {
       std::vector<int> vertices;
       for (int v = 0; v < clean.offset.size(); ++v)
         if (!(clean.offset[v] > 0)) vertices.push_back(v);
-      return vertices;
+      const std::size_t stride = (vertices.size() + MOST_OF_MAIN - 1) / MOST_OF_MAIN;
+      std::vector<int> taken;
+      for (std::size_t i = 0; i < vertices.size(); i += stride) taken.push_back(vertices[i]);
+      return taken;
     }
 
     std::vector<int> vertex_;

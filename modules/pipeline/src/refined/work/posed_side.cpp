@@ -17,7 +17,7 @@ void PosedSide::scale(double ratio) {
 }
 
 SurfacePlaces PosedSide::coarsePlaces() const {
-  return SurfacePlaces(withPieces(shape.coarseSurface().mesh, posed(ordered.pieces, pose)));
+  return SurfacePlaces(withPieces(shape.coarse.mesh, posed(ordered.pieces, pose)));
 }
 
 }  // namespace posture

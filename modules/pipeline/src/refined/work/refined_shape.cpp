@@ -36,6 +36,15 @@ constexpr int FUNCTIONS = 200;
 /// What tells a shape at all: each eigenfunction takes a few vertices.
 constexpr int LEAST_VERTICES = 20, VERTICES_PER_FUNCTION = 4;
 
+ReducedMesh reduced(const std::string& side, const TriangleMesh& mesh, int count) {
+  try {
+    ReducedMesh reduced = reduceMesh(mesh, count);
+    if (reduced.mesh.vertices.rows() >= LEAST_VERTICES) return reduced;
+  } catch (const InputError&) {  // no face is left
+  }
+  throw InputError(side + " is no surface: hardly any of its faces lie side by side in twos");
+}
+
 }  // namespace
 
 FacePoint RefinedShape::onMainSurface(const FacePoint& place) const {
@@ -83,10 +92,10 @@ RefinedShape fullSide(const std::string& side, const TriangleMesh& surface, bool
   return shape;
 }
 
-void reduceSide(int others, RefinedShape& shape) {
+void reduceSide(const std::string& side, int others, RefinedShape& shape) {
   const int shared = std::clamp(others, FEWEST_WORK_VERTICES, WORK_VERTICES);
-  shape.work = reduceMesh(shape.full, WORK_VERTICES * WORK_VERTICES / shared);
-  shape.coarse = reduceMesh(shape.work.mesh, COARSE_VERTICES);
+  shape.work = reduced(side, shape.full, WORK_VERTICES * WORK_VERTICES / shared);
+  shape.coarse = reduced(side, shape.work.mesh, COARSE_VERTICES);
 }
 
 void addSpectrum(const std::string& side, RefinedShape& shape) {

@@ -44,11 +44,13 @@ bool isMuchCoarser(const TriangleMesh& surface, const TriangleMesh& other);
 /// \throws InputError  too few vertices to tell a shape; names the side.
 RefinedShape fullSide(const std::string& side, const TriangleMesh& surface, bool too_coarse);
 
-/// Adds the meshes a side is worked on. \param others  vertices of the other side.
-void reduceSide(int others, RefinedShape& shape);
+/// Adds the meshes a side is worked on.
+/// \param others  vertices of the other side.
+/// \throws InputError  it falls apart on fewer vertices; names the side.
+void reduceSide(const std::string& side, int others, RefinedShape& shape);
 
+/// Both: \throws InputError  too few vertices to tell a shape; names the side.
 void addSpectrum(const std::string& side, RefinedShape& shape);
-/// \throws InputError  too few to tell a shape; names the side.
 void addSamples(const std::string& side, RefinedShape& shape);
 
 /// The shape with every length multiplied.
