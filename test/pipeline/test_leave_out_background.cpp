@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "outcome/drop_background.h"
 #include "sides/leave_out_background.h"
 #include "support/bodies.h"
 #include "support/shapes.h"

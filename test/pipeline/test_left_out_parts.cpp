@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "sides/left_out_parts.h"
+#include "outcome/left_out_parts.h"
 #include "support/shapes.h"
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "sides/refer_to_points.h"
+#include "outcome/refer_to_points.h"
 #include "support/shapes.h"
 #include <limits>
 #include <optional>

@@ -87,15 +87,20 @@ RegistrationResult finishMap(const ChosenMap& chosen,
   });
   const RefinedShape scaled = rescaled(source.shape, best.scale);
   clock.stage("completion", 0.1, [&] {
-    TargetOnSource there;
+    TargetOnSource back;
     if (options.both_ways || hasLoosePieces(target.given))
-      there = targetOnSource(source, scaled, target, full, result);
-    const OnPieces on_pieces = onPieces(source.given, target.given, there.back, there.pieces);
-    result.deformed = deformedInput(source, scaled, target, full, on_pieces);
-    addMatches(source.given, on_pieces, result);
-    placeLoosePieces(source.given, target.given, result);
+      back = targetOnSource(source, scaled, target, full, result.scale, result.trust);
+    const OnPieces on_pieces = onPieces(source.given, target.given, back.target, back.pieces);
+    LaidSide there{result.scale,
+                   result.trust,
+                   std::move(result.correspondence),
+                   deformedInput(source, scaled, target, full, on_pieces)};
+    addMatches(source.given, on_pieces, there);
+    placeLoosePieces(source.given, target.given, there);
+    result.correspondence = std::move(there.correspondence);
+    result.deformed = std::move(there.deformed);
     if (options.both_ways) {
-      result.back = WayBack{std::move(there.back.correspondence)};
+      result.back = WayBack{std::move(back.target.correspondence)};
       measureMiss(source.given, target.given.input, result.correspondence, *result.back);
     }
   });

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <posture/core/types.h>
-#include <posture/pipeline/register_shapes.h>
 
 #include <vector>
 
@@ -18,13 +17,5 @@ struct Background {
 /// Leaves backgroundFaces() out of a mesh: all corners of such a face become one, so that cleaning
 /// drops it and the other faces keep their numbers.
 Background leaveOutBackground(TriangleMesh& mesh);
-
-/// Vertices of the background have no counterpart, though they may have come to lie beside the
-/// other surface, and are moved as a whole, as the body is in the mean.
-/// \param at_rest  n x 3, the source's vertices.
-void dropBackground(const Background& source,
-                    const Points& at_rest,
-                    const Background& target,
-                    RegistrationResult& result);
 
 }  // namespace posture

@@ -26,8 +26,10 @@ struct Completion {
 /// for anew several times; past the rim of a hole there is none, and matches on the rim of a hole
 /// do not count, as they may stand for any place in it. g_i is small for places several edges off,
 /// where the target has no surface, b_i for matches that lie far from where the rest of the surface
-/// wants the vertex (both Geman and McClure). First on at most 5,000
-/// vertices, then on all.
+/// wants the vertex (both Geman and McClure). Edges shorter than a tenth of the mean count less,
+/// and s_i is no less than that: what is far smaller than the mesh is not worth its stiffness. Over
+/// the first half of the rounds the second sum falls from ten times its weight, which opens folds.
+/// Meshes of more than 7,500 vertices are laid on 5,000 first.
 ///
 /// \param source   connected.
 /// \param start    n x 3, a rough deformation onto the target: nothing here finds its way round a

@@ -71,24 +71,24 @@ std::vector<int> verticesThat(const GivenShape& shape, const Keep& keep) {
 
 class Placing {
  public:
-  Placing(const GivenShape& source, const GivenShape& target, RegistrationResult& result)
+  Placing(const GivenShape& source, const GivenShape& target, LaidSide& laid)
       : source_(source),
-        result_(result),
+        laid_(laid),
         normals_(inputNormals(source)),
         rim_(inputRim(source)),
-        edge_(result.scale * meanEdgeLength(source.clean.mesh)),
+        edge_(laid.scale * meanEdgeLength(source.clean.mesh)),
         surface_(pieceTarget(target)),
         whole_(surface_, verticesThat(target, [](int) { return true; })),
         free_(surface_,
               verticesThat(target,
                            [claimed = coveredBy(
-                                source, result, target.input.vertices, ON_SURFACE * surface_.edge)](
+                                source, laid, target.input.vertices, ON_SURFACE * surface_.edge)](
                                int v) { return claimed[v] == 0; })),
         main_(source.input.vertices, source.clean) {}
 
   void place(const std::vector<int>& piece) {
     if (piece.size() < LEAST_PIECE) return placeSingly(piece);
-    const Piece scaled{result_.scale * source_.input.vertices(piece, Eigen::all),
+    const Piece scaled{laid_.scale * source_.input.vertices(piece, Eigen::all),
                        normals_(piece, Eigen::all),
                        nearestToMain(piece),
                        onRim(piece),
@@ -99,7 +99,7 @@ class Placing {
     if (is_beside && liesOn(whole_, scaled, *beside)) return put(piece, scaled, *beside, whole_);
     const std::optional<Eigen::Isometry3d> drawn = drawPiece(free_, scaled, *beside);
     if (drawn) return put(piece, scaled, *drawn, free_);
-    result_.deformed(piece, Eigen::all) = moved(*beside, scaled.points);
+    laid_.deformed(piece, Eigen::all) = moved(*beside, scaled.points);
     if (!is_beside) leaveOut(piece);
   }
 
@@ -108,13 +108,13 @@ class Placing {
  private:
   bool isBeside(const std::vector<int>& piece) const {
     return std::all_of(piece.begin(), piece.end(), [&](int v) {
-      return result_.scale * source_.clean.offset[v] < BESIDE * surface_.size;
+      return laid_.scale * source_.clean.offset[v] < BESIDE * surface_.size;
     });
   }
 
   void placeSingly(const std::vector<int>& vertices) {
     for (int v : vertices) {
-      const TargetPart::Near near = whole_.nearest(result_.deformed.row(v));
+      const TargetPart::Near near = whole_.nearest(laid_.deformed.row(v));
       if (near.distance < ON_SURFACE)
         match(v, near);
       else if (!isBeside({v}))
@@ -123,8 +123,8 @@ class Placing {
   }
 
   void match(int v, const TargetPart::Near& near) {
-    result_.correspondence.on_target[v] = near.at;
-    result_.correspondence.confidence[v] = result_.trust * fitAt(near.distance);
+    laid_.correspondence.on_target[v] = near.at;
+    laid_.correspondence.confidence[v] = laid_.trust * fitAt(near.distance);
   }
 
   /// The source's main surface, for neighbours.
@@ -177,19 +177,19 @@ class Placing {
     const auto known = motions_.find(anchor);
     if (known != motions_.end()) return known->second;
     const Eigen::RowVector3d center = all.row(source_.clean.input_vertex[anchor]);
-    const double radius = SURROUNDINGS * surface_.size / result_.scale;
+    const double radius = SURROUNDINGS * surface_.size / laid_.scale;
     // Places of vertices that have a counterpart say more than those of others.
     std::vector<int> around, mapped;
     for (int v : main_.within(center, radius))
       if ((all.row(v) - center).norm() < radius) {
         around.push_back(v);
-        if (result_.correspondence.on_target[v].vertex >= 0) mapped.push_back(v);
+        if (laid_.correspondence.on_target[v].vertex >= 0) mapped.push_back(v);
       }
     if (mapped.size() >= LEAST_NEIGHBORS) around = std::move(mapped);
     std::optional<Eigen::Isometry3d>& motion = motions_[anchor];
     if (around.size() >= LEAST_NEIGHBORS)
-      motion = rigidMotion(result_.scale * all(around, Eigen::all),
-                           result_.deformed(around, Eigen::all));
+      motion =
+          rigidMotion(laid_.scale * all(around, Eigen::all), laid_.deformed(around, Eigen::all));
     return motion;
   }
 
@@ -198,7 +198,7 @@ class Placing {
            const Eigen::Isometry3d& motion,
            const TargetPart& part) {
     placed_.push_back({piece, motion});
-    result_.deformed(piece, Eigen::all) = moved(motion, scaled.points);
+    laid_.deformed(piece, Eigen::all) = moved(motion, scaled.points);
     const std::vector<TargetPart::Near> near = part.nearest(scaled, motion);
     for (std::size_t i = 0; i < piece.size(); ++i)
       if (near[i].distance < ON_SURFACE && near[i].same_way)
@@ -208,11 +208,11 @@ class Placing {
   }
 
   void leaveOut(const std::vector<int>& piece) {
-    for (int v : piece) dropRow(result_.correspondence, static_cast<std::size_t>(v));
+    for (int v : piece) dropRow(laid_.correspondence, static_cast<std::size_t>(v));
   }
 
   const GivenShape& source_;
-  RegistrationResult& result_;
+  LaidSide& laid_;
   Points normals_;
   std::vector<char> rim_;
   double edge_;
@@ -226,17 +226,17 @@ class Placing {
 }  // namespace
 
 std::vector<char> coveredBy(const GivenShape& shape,
-                            const RegistrationResult& result,
+                            const LaidSide& laid,
                             const Points& places,
                             double reach) {
   const std::vector<int> mapped = verticesThat(shape, [&](int v) {
-    return !(shape.clean.offset[v] > 0) && result.correspondence.on_target[v].vertex >= 0;
+    return !(shape.clean.offset[v] > 0) && laid.correspondence.on_target[v].vertex >= 0;
   });
   std::vector<char> covered(places.rows(), 0);
   if (mapped.empty()) return covered;
   constexpr double UNIT = 1;  // distances as they are
   const PieceTarget surface(
-      {result.deformed, shape.input.faces}, Points::Zero(result.deformed.rows(), 3), UNIT, UNIT);
+      {laid.deformed, shape.input.faces}, Points::Zero(laid.deformed.rows(), 3), UNIT, UNIT);
   const TargetPart part(surface, mapped);
   for (Eigen::Index i = 0; i < places.rows(); ++i)
     covered[static_cast<std::size_t>(i)] = part.nearest(places.row(i)).distance < reach;
@@ -254,10 +254,10 @@ bool hasLoosePieces(const GivenShape& shape) { return (shape.clean.offset.array(
 
 std::vector<PlacedPiece> placeLoosePieces(const GivenShape& source,
                                           const GivenShape& target,
-                                          RegistrationResult& result) {
+                                          LaidSide& laid) {
   const std::vector<std::vector<int>> pieces = loosePieces(source);
   if (pieces.empty()) return {};
-  Placing placing(source, target, result);
+  Placing placing(source, target, laid);
   for (const std::vector<int>& piece : pieces) placing.place(piece);
   return placing.placed();
 }

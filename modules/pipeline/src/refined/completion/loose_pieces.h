@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "refined/completion/draw_piece.h"
+#include "refined/completion/laid_side.h"
 #include "refined/completion/target_part.h"
 #include "sides/given_shape.h"
 #include <vector>
@@ -18,7 +19,7 @@ PieceTarget pieceTarget(const GivenShape& target);
 /// counterparts.
 /// \param reach  how near, in the unit of the places.
 std::vector<char> coveredBy(const GivenShape& shape,
-                            const RegistrationResult& result,
+                            const LaidSide& laid,
                             const Points& places,
                             double reach);
 
@@ -34,11 +35,11 @@ struct PlacedPiece {
 /// Places the pieces of the source that are not joined to its main surface. Each makes the rigid
 /// motion of the surface next to it, and is then drawn, rigidly, to what of the target the main
 /// surface has left free. Its vertices get the nearest places there if most of the piece comes to
-/// lie on the target, and none otherwise; where it lies is in `result.deformed` either way.
-/// \param result  of the main surfaces: scale, trust, correspondence and deformed are set.
+/// lie on the target, and none otherwise; it is laid either way.
+/// \param laid  the source, so far without them.
 /// \return  the pieces that lie on the target.
 std::vector<PlacedPiece> placeLoosePieces(const GivenShape& source,
                                           const GivenShape& target,
-                                          RegistrationResult& result);
+                                          LaidSide& laid);
 
 }  // namespace posture

@@ -20,7 +20,7 @@ constexpr double BEYOND_RIM = 1;
 /// Vertices of the source's main surface on which the target's does not lie.
 std::vector<int> openVertices(const GivenShape& source,
                               const GivenShape& target,
-                              const RegistrationResult& back) {
+                              const LaidSide& back) {
   const TriangleMesh& mesh = source.clean.mesh;
   const std::vector<char> covered =
       coveredBy(target, back, mesh.vertices, ON_SURFACE * meanEdgeLength(mesh));
@@ -66,7 +66,7 @@ std::vector<int> beside(const TriangleMesh& mesh,
 
 OnPieces onPieces(const GivenShape& source,
                   const GivenShape& target,
-                  const RegistrationResult& back,
+                  const LaidSide& back,
                   const std::vector<PlacedPiece>& placed) {
   OnPieces found;
   if (placed.empty()) return found;
@@ -113,20 +113,20 @@ OnPieces onPieces(const GivenShape& source,
   return found;
 }
 
-void addMatches(const GivenShape& source, const OnPieces& on_pieces, RegistrationResult& result) {
+void addMatches(const GivenShape& source, const OnPieces& on_pieces, LaidSide& laid) {
   struct Match {
     SurfacePoint on_target;
     double confidence = 0;
   };
   std::vector<std::optional<Match>> matches(source.clean.mesh.vertices.rows());
   for (std::size_t i = 0; i < on_pieces.vertex.size(); ++i)
-    matches[on_pieces.vertex[i]] = Match{on_pieces.on_target[i], result.trust * on_pieces.fit[i]};
+    matches[on_pieces.vertex[i]] = Match{on_pieces.on_target[i], laid.trust * on_pieces.fit[i]};
   for (int v : on_pieces.in_gap) matches[v] = Match{};
   for (int v = 0; v < source.ownVertices(); ++v) {
     const auto& match = matches[source.clean.clean_vertex[v]];
     if (source.clean.offset[v] > 0 || !match) continue;
-    result.correspondence.on_target[v] = match->on_target;
-    result.correspondence.confidence[v] = match->confidence;
+    laid.correspondence.on_target[v] = match->on_target;
+    laid.correspondence.confidence[v] = match->confidence;
   }
 }
 

@@ -21,14 +21,14 @@ struct OnPieces {
 
 /// Those on which a piece of the target lies, placed on the source, and the target's main surface
 /// does not.
-/// \param back  the way back: where the target lies on the source.
+/// \param back  the target laid onto the source.
 /// \param placed  the target's pieces that found a place there.
 OnPieces onPieces(const GivenShape& source,
                   const GivenShape& target,
-                  const RegistrationResult& back,
+                  const LaidSide& back,
                   const std::vector<PlacedPiece>& placed);
 
 /// Gives the one their places, and takes those of the others away.
-void addMatches(const GivenShape& source, const OnPieces& on_pieces, RegistrationResult& result);
+void addMatches(const GivenShape& source, const OnPieces& on_pieces, LaidSide& laid);
 
 }  // namespace posture

@@ -60,14 +60,15 @@ TargetOnSource targetOnSource(const PosedSide& source,
                               const RefinedShape& scaled,
                               const PosedSide& target,
                               const FullMap& there,
-                              const RegistrationResult& result) {
+                              double scale,
+                              double trust) {
   const FullMap map = reversed(scaled, target.shape, there);
   TargetOnSource found;
-  RegistrationResult& back = found.back;
-  back.scale = 1 / result.scale;
-  back.trust = result.trust;
+  LaidSide& back = found.target;
+  back.scale = 1 / scale;
+  back.trust = trust;
   back.correspondence =
-      correspondenceOf(target.given, target.shape, source.given, scaled, map, result.trust);
+      correspondenceOf(target.given, target.shape, source.given, scaled, map, trust);
   back.deformed = source.pose.outOf(placesOfInput(target.given,
                                                   target.shape.full,
                                                   std::vector<char>(map.places.size(), 1),

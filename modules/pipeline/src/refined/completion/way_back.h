@@ -10,19 +10,20 @@
 
 namespace posture {
 
-/// The other direction of a full map, in terms of the vertices and faces as they were given.
+/// The other direction of a full map.
 struct TargetOnSource {
-  RegistrationResult back;          ///< scale, trust, correspondence and deformed are set
-  std::vector<PlacedPiece> pieces;  ///< of the target that found a place on the source
+  LaidSide target;
+  std::vector<PlacedPiece> pieces;  ///< of it that found a place on the source
 };
 
-/// \param scaled  the source's meshes at the scale of the map.
-/// \param result  of the way there: scale and trust are set.
+/// \param scaled  the source's meshes at the scale of the map: `scale`.
+/// \param trust  of the map.
 TargetOnSource targetOnSource(const PosedSide& source,
                               const RefinedShape& scaled,
                               const PosedSide& target,
                               const FullMap& there,
-                              const RegistrationResult& result);
+                              double scale,
+                              double trust);
 
 /// How well both ways agree, into the way back; 0 where no vertex has both.
 void measureMiss(const GivenShape& source,

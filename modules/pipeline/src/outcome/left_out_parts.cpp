@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sides/left_out_parts.h"
+#include "outcome/left_out_parts.h"
 
 #include <posture/mesh/connected_parts.h>
 #include <posture/mesh/edges.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sides/refer_to_points.h"
+#include "outcome/refer_to_points.h"
 
 #include <posture/core/finite_rows.h>
 #include <posture/deformation/apply_deformation.h>
