@@ -10,13 +10,17 @@
 namespace posture {
 namespace {
 
-TEST(BlockProducts, areThoseOfPlainSumsToTheLastDigit) {
+using Multiply = void (*)(const float*, const float*, int, float*);
+
+class BlockProducts : public testing::TestWithParam<Multiply> {};
+
+TEST_P(BlockProducts, areThoseOfPlainSumsToTheLastDigit) {
   Rng rng(1);
   for (const int d : {0, 1, 12, 57, 400}) {
     Eigen::MatrixXf a(BLOCK_ROWS, d), b(BLOCK_ROWS, d), products(BLOCK_ROWS, BLOCK_ROWS);
     for (float& x : a.reshaped()) x = static_cast<float>(rng.normal());
     for (float& x : b.reshaped()) x = static_cast<float>(rng.normal());
-    multiplyRows(a.data(), b.data(), d, products.data());
+    GetParam()(a.data(), b.data(), d, products.data());
     for (int j = 0; j < BLOCK_ROWS; ++j)
       for (int i = 0; i < BLOCK_ROWS; ++i) {
         float sum = 0;
@@ -28,6 +32,10 @@ TEST(BlockProducts, areThoseOfPlainSumsToTheLastDigit) {
       }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(EveryProcessor,
+                         BlockProducts,
+                         testing::Values(multiplyRows, multiplyRowsPortably));
 
 }  // namespace
 }  // namespace posture

@@ -62,12 +62,16 @@ __attribute__((target("avx2"))) void multiplyByAvx2(const float* a,
 
 }  // namespace
 
+void multiplyRowsPortably(const float* a, const float* b, int d, float* products) {
+  multiplyAll<Four>(a, b, d, products);
+}
+
 void multiplyRows(const float* a, const float* b, int d, float* products) {
 #if defined(__x86_64__)
   static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
   if (has_avx2) return multiplyByAvx2(a, b, d, products);
 #endif
-  multiplyAll<Four>(a, b, d, products);
+  multiplyRowsPortably(a, b, d, products);
 }
 
 }  // namespace posture

@@ -14,4 +14,7 @@ constexpr int BLOCK_ROWS = 32;
 /// \param products  32 x 32, column-major: row i of a times row j of b at (i, j)
 void multiplyRows(const float* a, const float* b, int d, float* products);
 
+/// What it does where the processor has no AVX2.
+void multiplyRowsPortably(const float* a, const float* b, int d, float* products);
+
 }  // namespace posture

@@ -7,6 +7,7 @@
 #include <posture/refine/let_go.h>
 
 #include "lay_anew.h"
+#include "rings_around.h"
 #include <limits>
 #include <utility>
 #include <vector>
@@ -34,25 +35,14 @@ constexpr double ALIKE = 0.5, OPPOSITE = 2;
 
 /// The vertices that are apart and no farther from those that are not than a strip is wide.
 std::vector<int> strip(const BendableSurface& a, const std::vector<char>& apart) {
-  std::vector<int> front, found;
+  std::vector<int> front;
   std::vector<char> seen(apart.size(), 0);
   for (int v = 0; v < static_cast<int>(apart.size()); ++v)
     if (apart[v] == 0) {
       seen[v] = 1;
       front.push_back(v);
     }
-  for (int ring = 0; ring < STRIP; ++ring) {
-    std::vector<int> next;
-    for (int v : front)
-      for (const int* w = a.neighbors.begin(v); w != a.neighbors.end(v); ++w)
-        if (seen[*w] == 0) {
-          seen[*w] = 1;
-          next.push_back(*w);
-        }
-    found.insert(found.end(), next.begin(), next.end());
-    front = std::move(next);
-  }
-  return found;
+  return ringsAround(a, std::move(front), std::move(seen), STRIP);
 }
 
 /// What a vertex of a, bent, lies on.

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "rings_around.h"
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -27,20 +28,7 @@ std::vector<int> surroundings(const BendableSurface& a,
                               const std::vector<int>& part,
                               const std::vector<char>& marked) {
   const long rings = std::max(1L, std::lround(SURROUNDINGS / meanEdgeLength(a.mesh)));
-  std::vector<char> seen = marked;
-  std::vector<int> found, front = part;
-  for (long ring = 0; ring < rings; ++ring) {
-    std::vector<int> next;
-    for (int v : front)
-      for (const int* w = a.neighbors.begin(v); w != a.neighbors.end(v); ++w)
-        if (!seen[*w]) {
-          seen[*w] = 1;
-          next.push_back(*w);
-        }
-    found.insert(found.end(), next.begin(), next.end());
-    front = std::move(next);
-  }
-  return found;
+  return ringsAround(a, part, marked, rings);
 }
 
 /// What of the vertices marked lies farther than an edge from its match on `b`.
