@@ -149,7 +149,7 @@ def main():
         sys.exit(__doc__)
     posture, out = sys.argv[1:3]
     first, last = (int(x) for x in sys.argv[3:5]) if len(sys.argv) > 4 else (1, 16)
-    everything = []
+    everything, undecided = [], 0
     for kind in ("human", "quadruped"):
         for pose in range(first, last + 1):
             folder = os.path.join(out, f"{kind}-{pose}")
@@ -163,12 +163,16 @@ def main():
                                       os.path.join(folder, name + ".ply"), "-o", segments])
                 if run.returncode == 1:
                     print(f"{kind}-{pose}: undecided")
+                    undecided += 1
                     continue
                 run.check_returncode()
             index, least, count, rows = measure(folder, name, reference)
             everything.append((index, least, count, rows))
             print(f"{kind}-{pose}: index {index:.3f}, threshold {least:.1f}, {count} parts; "
                   + ", ".join(f"{b} {w:.1f}/{a:.1f}" for b, n, w, a in rows))
+    print(f"{undecided} undecided, which the figures below leave out")
+    if not everything:
+        return
     rows = [row for _, _, _, each in everything for row in each]
     indices = [index for index, _, _, _ in everything]
     turns = sorted(row[2] for row in rows)

@@ -8,7 +8,7 @@
 #include <posture/core/error.h>
 #include <posture/deformation/common_mesh.h>
 #include <posture/dense/dense_map.h>
-#include <posture/io/correspondence_io.h>
+#include <posture/evaluation/truth.h>
 #include <posture/io/mesh_io.h>
 #include <posture/matching/candidates.h>
 #include <posture/matching/consistency.h>

@@ -80,7 +80,8 @@ std::string page(const Comparison& comparison, const std::vector<std::string>& c
             curveFile(variation) + ")\n";
   return page + "\n## How the moved source lies on the target\n\n" + toMarkdown(comparison.fits) +
          "\nMeans over the pairs. Distance: of the moved source's points from the nearest of the "
-         "target, over the diagonal of its box. Stretch: |log| of an edge's length after and "
+         "target, over the diagonal of the box of its middle 98 %. Stretch: |log| of an edge's "
+         "length after and "
          "before; nothing for what moves as a whole. Near: share of the points within one spacing "
          "of the target's points from the other side. A body bent onto another lies near it "
          "whether the map is right or not: without a truth these figures tell how it fits, not "

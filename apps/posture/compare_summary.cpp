@@ -278,7 +278,7 @@ std::string bestOfPair(const Runs& of_pair) {
       [](double distance) { return percent(distance, 2); });
   if (near.empty()) return "no method has a result.";
   return "no truth is known; nearest to the target is " + listed(near.front().methods) +
-         ", on average " + near.front().figure + " of its diagonal.";
+         ", on average " + near.front().figure + " of its size.";
 }
 
 /// "posture on 60, ICP and GICP on 2", the most first.

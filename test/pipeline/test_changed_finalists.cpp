@@ -27,7 +27,7 @@ RefinedShape ellipsoid(double bump) {
   mesh.vertices.array().rowwise() *= Eigen::Array<double, 1, 3>(1, 0.75, 0.5);
   mesh = test::unitArea(std::move(mesh));
   RefinedShape shape = fullSide("ellipsoid", mesh, false);
-  reduceSide(static_cast<int>(mesh.vertices.rows()), shape);
+  reduceSide("source", static_cast<int>(mesh.vertices.rows()), shape);
   addSpectrum("side", shape);
   addSamples("body", shape);
   return shape;

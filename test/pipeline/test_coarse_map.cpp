@@ -29,7 +29,7 @@ class CoarseMap : public testing::Test {
 
   static void prepare(PosedSide& side, bool too_coarse) {
     side.shape = fullSide("source", posed(side.ordered.mesh, side.pose), too_coarse);
-    reduceSide(static_cast<int>(side.shape.full.vertices.rows()), side.shape);
+    reduceSide("source", static_cast<int>(side.shape.full.vertices.rows()), side.shape);
   }
 
   static TriangleMesh moved(TriangleMesh body) {

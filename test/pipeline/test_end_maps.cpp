@@ -46,7 +46,7 @@ TriangleMesh starWithHead() {
 class EndMaps : public testing::Test {
  protected:
   EndMaps() : shape_(fullSide("star", starWithHead(), false)) {
-    reduceSide(static_cast<int>(shape_.full.vertices.rows()), shape_);
+    reduceSide("source", static_cast<int>(shape_.full.vertices.rows()), shape_);
     addSpectrum("side", shape_);
     addSamples("star", shape_);
     surface_ = std::make_unique<SpectralSurface>(shape_.coarseSurface());

@@ -58,14 +58,14 @@ class LimbInTwo : public testing::Test {
   bool isWellInside(int v) const { return whole_.vertices(v, 2) > TO + 3 * edge_; }
 
   /// One side laid onto the other exactly, as far as its main surface goes; the rest stays behind.
-  LaidSide laid(const Eigen::Isometry3d& motion, double scale, bool whole) const {
+  LaidSide laid(const Eigen::Isometry3d& motion, double scale) const {
     const auto n = whole_.vertices.rows();
     LaidSide side{scale,
                   TRUST,
                   {std::vector<SurfacePoint>(n), Vector::Zero(n)},
                   moved(motion, scale * whole_.vertices)};
     for (int v = 0; v < n; ++v)
-      if (whole || whole_.vertices(v, 2) <= FROM) {
+      if (whole_.vertices(v, 2) <= FROM) {
         side.correspondence.on_target[v].vertex = v;
         side.correspondence.confidence[v] = TRUST;
       } else {
@@ -93,7 +93,7 @@ TEST_F(LimbInTwo, thePieceFindsItsOwnVertices) {
   ASSERT_TRUE(hasLoosePieces(source));
   const TriangleMesh target = movedWhole();
   const CleanMesh target_clean = cleanMesh(target);
-  LaidSide side = laid(motion_, SCALE, false);
+  LaidSide side = laid(motion_, SCALE);
   const std::vector<PlacedPiece> pieces = placeLoosePieces(source, {target, target_clean}, side);
   ASSERT_EQ(pieces.size(), 1);
   EXPECT_LT((pieces[0].motion.matrix() - motion_.matrix()).norm(), 1e-3);
@@ -121,13 +121,16 @@ TEST_F(LimbInTwo, aPieceThatFitsNowhereHasNoCounterpart) {
       compactVertices(target.faces, static_cast<int>(whole_.vertices.rows()));
   target.vertices = movedWhole().vertices(kept, Eigen::all);
   const CleanMesh target_clean = cleanMesh(target);
-  LaidSide side = laid(motion_, SCALE, false);
+  LaidSide side = laid(motion_, SCALE);
   for (std::size_t i = 0; i < kept.size(); ++i)
     side.correspondence.on_target[kept[i]].vertex = static_cast<int>(i);
+  for (int v = 0; v < whole_.vertices.rows(); ++v)
+    if (isBeyond(v)) side.correspondence.on_target[v].vertex = 0;  // from what was next to it
   EXPECT_TRUE(placeLoosePieces({cut_, cut_clean_}, {target, target_clean}, side).empty());
   for (int v = 0; v < whole_.vertices.rows(); ++v)
     if (isWellInside(v)) {
       EXPECT_LT(side.correspondence.on_target[v].vertex, 0);
+      EXPECT_LT((side.deformed.row(v) - movedWhole().vertices.row(v)).norm(), 0.05);
     }
 }
 
@@ -135,11 +138,16 @@ TEST_F(LimbInTwo, whatLiesOnAPieceOfTheTargetGetsItsPlaceThere) {
   const TriangleMesh source = movedWhole();
   const CleanMesh source_clean = cleanMesh(source);
   const GivenShape from{source, source_clean}, to{cut_, cut_clean_};
-  LaidSide back = laid(motion_, SCALE, false);  // the target on the source
+  LaidSide back = laid(motion_, SCALE);  // the target on the source
   const std::vector<PlacedPiece> placed = placeLoosePieces(to, from, back);
   ASSERT_EQ(placed.size(), 1);
   const OnPieces found = onPieces(from, to, back, placed);
-  LaidSide there = laid(motion_.inverse(), 1 / SCALE, true);
+  EXPECT_FALSE(found.in_gap.empty());
+  LaidSide there = laid(motion_.inverse(), 1 / SCALE);
+  for (int v : found.in_gap) {
+    there.correspondence.on_target[v].vertex = v;
+    there.correspondence.confidence[v] = TRUST;
+  }
   addMatches(from, found, there);
   for (std::size_t i = 0; i < found.vertex.size(); ++i) {
     const int v = found.vertex[i];

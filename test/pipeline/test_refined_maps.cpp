@@ -15,7 +15,7 @@ namespace {
 
 RefinedShape refinedShape(const TriangleMesh& mesh) {
   RefinedShape shape = fullSide("club", mesh, false);
-  reduceSide(5000, shape);
+  reduceSide("source", 5000, shape);
   addSpectrum("side", shape);
   addSamples("body", shape);
   return shape;
@@ -158,13 +158,13 @@ TEST(JudgedByEnds, aHalfTurnedBodyIsToldByItselfWhereASideMayLackParts) {
 TEST(WorkMeshes, shareABudget) {
   RefinedShape light = fullSide("light", test::sphere(3), false),
                fine = fullSide("fine", test::sphere(5), false);
-  reduceSide(10242, light);
-  reduceSide(642, fine);
+  reduceSide("source", 10242, light);
+  reduceSide("source", 642, fine);
   EXPECT_EQ(light.work.mesh.vertices.rows(), 642);
   EXPECT_EQ(fine.work.mesh.vertices.rows(), 10000);
-  reduceSide(4000, fine);
+  reduceSide("source", 4000, fine);
   EXPECT_EQ(fine.work.mesh.vertices.rows(), 6250);
-  reduceSide(10242, fine);
+  reduceSide("source", 10242, fine);
   EXPECT_EQ(fine.work.mesh.vertices.rows(), 5000);
   EXPECT_EQ(fine.coarse.mesh.vertices.rows(), 1500);
 }

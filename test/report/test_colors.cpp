@@ -177,7 +177,7 @@ TEST(PartPalette, partsThatTouchDiffer) {
     label[v] = std::max(-1, (at[0] > 0) + 2 * (at[1] > 0) + 4 * (at[2] > 0) - 3);
   }
   const Colors palette = partPalette(6, label, ball.faces);
-  ASSERT_EQ(palette.rows(), 6);  // one that has faces alone among them
+  ASSERT_EQ(palette.rows(), 6);  // one without a vertex among them
   for (Eigen::Index f = 0; f < ball.faces.rows(); ++f)
     for (int k = 0; k < 3; ++k) {
       const int a = label[ball.faces(f, k)], b = label[ball.faces(f, (k + 1) % 3)];

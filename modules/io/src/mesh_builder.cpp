@@ -89,7 +89,7 @@ void MeshBuilder::checkHighestCorner() const {
 MeshFile MeshBuilder::finish(ColorRange range) {
   if (coordinates_.empty()) input_.fail("there are no vertices in it");
   if (coordinates_.size() / 3 >= static_cast<std::size_t>(MOST_NUMBERS) ||
-      corners_.size() / 3 >= static_cast<std::size_t>(MOST_FACES))
+      corners_.size() / 3 > static_cast<std::size_t>(MOST_FACES))
     input_.fail("more vertices or faces than can be numbered");
   checkHighestCorner();
   if (first_unseen_ && !corners_.empty()) failUnseen(first_unseen_->first, first_unseen_->second);

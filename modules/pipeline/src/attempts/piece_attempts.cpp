@@ -90,8 +90,10 @@ void addPieceAttempts(const GivenShape& source,
                       const RegistrationOptions& options,
                       StageClock& clock,
                       std::vector<Attempt>& attempts) {
-  const std::vector<PartPair> pairs =
-      clock.stage("pieces", 0, [&] { return partPairs(source, target); });
+  const std::optional<std::vector<PartPair>> found = clock.tryTo(
+      [&] { return clock.stage("pieces", 0, [&] { return partPairs(source, target); }); });
+  if (!found) return;
+  const std::vector<PartPair>& pairs = *found;
   std::vector<PieceAttempt> pieces;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto& [a, b] = pairs[i];

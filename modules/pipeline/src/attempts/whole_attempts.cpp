@@ -127,9 +127,9 @@ Attempt patchedAttempt(const GivenShape& source,
   std::optional<Attempt> as_cut = clock.tryTo([&] { return attempt(cut); }), other;
   if (uncut && !(as_cut && looksAlike(as_cut->found))) {
     // Where the cut alone made the holes these are the surfaces as they are.
-    const PatchedSides& closed = uncut();
-    if (closed.source.holes + closed.target.holes > 0)
-      other = clock.tryAttempt("patched-uncut", 0, [&] { return attempt(closed); });
+    const auto closed = clock.tryTo([&] { return &uncut(); });
+    if (closed && (*closed)->source.holes + (*closed)->target.holes > 0)
+      other = clock.tryAttempt("patched-uncut", 0, [&] { return attempt(**closed); });
   }
   if (!as_cut && !other) throw TornSurface("no surface can be bent with its holes closed");
   const bool is_better = other && other->found.chosen >= 0 &&

@@ -241,7 +241,7 @@ PartedSurface partedSurface(const TriangleMesh& input, const CleanMesh& clean) {
     std::vector<int> along;
     try {
       along = alongContact(surface);
-    } catch (const InputError&) {  // the method says so
+    } catch (const InputError&) {  // too few faces in twos for a handle to be told
     }
     if (along.empty() || !cut.cutOut(along)) break;
     ++contacts;

@@ -12,9 +12,8 @@ namespace posture {
 class ThinPlateSpline {
  public:
   /// Chooses the smoothing by generalised cross-validation (Craven and Wahba 1979).
-  /// \param from, to  m x 3, same unit; m >= 1. With fewer points than tell more, 4 or 3 in a
-  /// plane,
-  ///        the map is the affine (or constant) one of least squares.
+  /// \param from, to  m x 3, same unit; m >= 1. With at most 4 points, 3 in a
+  ///        plane, 2 on a line, the map is the affine (or constant) one of least squares.
   /// \throws std::invalid_argument  sizes differ, or no points.
   ThinPlateSpline(const Points& from, const Points& to);
 

@@ -26,8 +26,8 @@ constexpr double BESIDE = 0.1;
 
 constexpr std::size_t LEAST_NEIGHBORS = 6;
 
-/// So many vertices of the main surface, evenly taken, tell motions as well as a million.
-constexpr std::size_t MOST_OF_MAIN = 20000;
+/// So many vertices tell the motion as well as all of a fine mesh.
+constexpr std::size_t MOST_NEIGHBORS = 5000;
 
 /// Fewer vertices have no motion of their own: they stay with the vertex next to them.
 constexpr std::size_t LEAST_PIECE = 3;
@@ -133,11 +133,13 @@ class Placing {
     Main(const Points& vertices, const CleanMesh& clean)
         : vertex_(verticesOf(clean)), index_(vertices(vertex_, Eigen::all)) {}
 
-    /// In increasing order; by rounding perhaps some beyond.
+    /// At most MOST_NEIGHBORS, in increasing order; by rounding perhaps some beyond.
     std::vector<int> within(const Eigen::RowVector3d& center, double radius) const {
-      std::vector<int> found = index_.within(center.transpose(), radius);
-      for (int& v : found) v = vertex_[v];
-      return found;
+      const std::vector<int> found = index_.within(center.transpose(), radius);
+      const std::size_t stride = 1 + found.size() / (MOST_NEIGHBORS + 1);
+      std::vector<int> taken;
+      for (std::size_t i = 0; i < found.size(); i += stride) taken.push_back(vertex_[found[i]]);
+      return taken;
     }
 
    private:
@@ -145,10 +147,7 @@ class Placing {
       std::vector<int> vertices;
       for (int v = 0; v < clean.offset.size(); ++v)
         if (!(clean.offset[v] > 0)) vertices.push_back(v);
-      const std::size_t stride = (vertices.size() + MOST_OF_MAIN - 1) / MOST_OF_MAIN;
-      std::vector<int> taken;
-      for (std::size_t i = 0; i < vertices.size(); i += stride) taken.push_back(vertices[i]);
-      return taken;
+      return vertices;
     }
 
     std::vector<int> vertex_;

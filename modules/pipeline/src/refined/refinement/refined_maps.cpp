@@ -167,7 +167,8 @@ void letGoOfWhatIsSqueezed(const SpectralSurface& source,
   map.score = *score;
 }
 
-/// Annealed, ends of limbs that then do not fit laid anew, and annealed again.
+/// Annealed; ends of limbs that then do not fit laid anew, one after the other, and all annealed
+/// again each time, where the limb then lies better.
 void annealWithEndsRefitted(const RefinedShape& source,
                             const SpectralSurface& source_work,
                             const SpectralSurface& target_work,
@@ -177,12 +178,15 @@ void annealWithEndsRefitted(const RefinedShape& source,
   bool is_settled = false;
   for (int tip : source.tips()) {
     if (isApart(pair.apart_a, tip) || isApart(pair.apart_b, pair.maps.forward[tip])) continue;
-    BentPair refitted = pair;
-    if (!refitLimbEnd(source_work, target_work, tip, softness, refitted)) continue;
-    anneal(source_work, target_work, softness, refitted);
-    if (!limbFitsBetter(source_work, target_work, tip, softness, pair, refitted)) continue;
-    pair = std::move(refitted);
-    is_settled = true;
+    try {
+      BentPair refitted = pair;
+      if (!refitLimbEnd(source_work, target_work, tip, softness, refitted)) continue;
+      anneal(source_work, target_work, softness, refitted);
+      if (!limbFitsBetter(source_work, target_work, tip, softness, pair, refitted)) continue;
+      pair = std::move(refitted);
+      is_settled = true;
+    } catch (const TornSurface&) {  // the others may be laid anew
+    }
   }
   if (!is_settled) anneal(source_work, target_work, softness, pair);
 }

@@ -40,11 +40,11 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const std::vector<const Finalist*>& finalists);
 
 /// Makes a map as exact as the work meshes allow: limbs are turned about themselves where they fit
-/// better so, all is annealed, ends of limbs that do not fit are laid anew, and what is misplaced
-/// is let go of. Limbs are not turned where something was let go of before. The score stays what it
-/// is compared by. Maps of surfaces that were laid over each other stay as they are, and where a
-/// surface is too torn for one of these steps it is left out.
-/// \param may_lack  as for refineFinalists(): if not, nothing is let go of.
+/// better so, all is annealed, ends of limbs that do not fit are laid anew where that makes the
+/// limb lie better, and what is misplaced is let go of. Limbs are not turned where something was
+/// let go of before. The score stays what it is compared by. Maps of surfaces that were laid over
+/// each other stay as they are, and where a surface is too torn for one of these steps it is left
+/// out. \param may_lack  as for refineFinalists(): if not, nothing is let go of.
 void annealMap(const RefinedShape& source,
                const RefinedShape& target,
                bool may_lack,

@@ -49,7 +49,7 @@ RefinedShape fullSide(const std::string& side, const TriangleMesh& surface, bool
 /// \throws InputError  it falls apart on fewer vertices; names the side.
 void reduceSide(const std::string& side, int others, RefinedShape& shape);
 
-/// Both: \throws InputError  too few vertices to tell a shape; names the side.
+/// Both: \throws InputError  it cannot be computed of this side, which is named.
 void addSpectrum(const std::string& side, RefinedShape& shape);
 void addSamples(const std::string& side, RefinedShape& shape);
 
