@@ -112,7 +112,7 @@ void layRegion(const TriangleMesh& rest,
   Points laid;
   try {
     laid = arap.pull(start, start, arap.attract(1, hold), ITERATIONS);
-  } catch (const TornSurface&) {
+  } catch (const TornSurface&) {  // it stays where it is
     return;
   }
   if (!laid.allFinite()) return;
