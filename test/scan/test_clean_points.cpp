@@ -55,6 +55,17 @@ Cleanness cleannessOf(const Points& points) {
   return cleanness(points, neighbors, spacing(points, neighbors));
 }
 
+TEST(CleanPoints, ofACurveAreOfNoSurface) {
+  // A trefoil knot, whose tetrahedra would be as many as pairs of points.
+  Points knot(20000, 3);
+  for (int i = 0; i < knot.rows(); ++i) {
+    const double t = 2 * M_PI * i / static_cast<double>(knot.rows());
+    knot.row(i) << std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t),
+        -std::sin(3 * t);
+  }
+  EXPECT_FALSE(find(knot / 6).surface);
+}
+
 TEST(Cleanness, TellsNoiseFromCoarseness) {
   EXPECT_TRUE(cleannessOf(test::spherePoints(3000, 0)).is_clean);
   EXPECT_TRUE(cleannessOf(test::torusPoints(1000, 1, 0.3)).is_clean);

@@ -10,6 +10,7 @@
 #include "clean/curvature_flips.h"
 #include "clean/inside_cut.h"
 #include "clean/poles.h"
+#include "points/in_line.h"
 #include "points/neighbors.h"
 #include "points/outliers.h"
 #include "surface/doubts.h"
@@ -33,6 +34,13 @@ bool isPlausible(const PointSurface& surface, int point_count) {
   for (int i : surface.point) on_surface[i] = 1;
   return std::count(on_surface.begin(), on_surface.end(), 1) >= ENOUGH * point_count &&
          Handles(surface.mesh).count() <= HANDLES + HANDLES_PER_POINT * point_count;
+}
+
+/// Whether most points lie along curves, of which tetrahedra are as many as pairs of points.
+bool areAlongCurves(const Points& points, const NeighborTable& neighbors) {
+  Eigen::Index in_line = 0;
+  for (int i = 0; i < points.rows(); ++i) in_line += isInLine(points, neighbors, i);
+  return 2 * in_line > points.rows();
 }
 
 /// Leaves each point the vertex of most neighbours. The others are moved a little into their own
@@ -78,7 +86,7 @@ std::optional<PointSurface> surfaceOfCleanPoints(const Points& given,
   const NeighborTable neighbors = NeighborSearch(points).table(NEIGHBORS);
   const Spacing h = spacing(points, neighbors);
   const Cleanness scatter = cleanness(points, neighbors, h);
-  if (!scatter.is_clean) return std::nullopt;
+  if (!scatter.is_clean || areAlongCurves(points, neighbors)) return std::nullopt;
   const std::optional<Tetrahedra> tetrahedra = delaunay(points);
   if (!tetrahedra) return std::nullopt;
   const Stars stars = starsOf(*tetrahedra, n);

@@ -6,7 +6,7 @@
 
 #include "pcl/pcl_surfaces.h"
 #include "pcl/poisson_plugin.h"
-#include "points/local_plane.h"
+#include "points/in_line.h"
 #include <algorithm>
 #include <cmath>
 #include <dlfcn.h>
@@ -22,19 +22,6 @@ PoissonFunction loadPoisson() {
     if (void* function = dlsym(library, POISSON_FUNCTION))
       return reinterpret_cast<PoissonFunction>(function);
   throw std::runtime_error(std::string("the Poisson surface is not installed: ") + dlerror());
-}
-
-/// Whether a point and its 16 nearest neighbours are in a line: they tell no normal.
-bool isInLine(const Points& points, const NeighborTable& neighbors, int i) {
-  const int count = std::min(16, neighborCount(neighbors, i));
-  if (count == 0) return true;
-  LocalPlane plane;
-  plane.add(Eigen::Vector3d::Zero(), 1);
-  for (int k = 0; k < count; ++k)
-    plane.add((points.row(neighbors(i, k)) - points.row(i)).transpose(), 1);
-  constexpr double NARROW = 0.05;  // at the end of a plane's corner 0.2 and more
-  return plane.fit().breadth <
-         NARROW * (points.row(neighbors(i, count - 1)) - points.row(i)).norm();
 }
 
 }  // namespace
