@@ -9,9 +9,9 @@
 
 #include <Eigen/Geometry>
 
-#include <exception>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -189,7 +189,7 @@ RegisteredClouds registerClouds(const CloudSide& source,
   };
   try {
     return registered(source, target, options, observer ? guarded : Observer());
-  } catch (const std::exception& error) {
+  } catch (const std::runtime_error& error) {  // running out of memory is none
     if (observer_threw) throw;
     RegisteredClouds none;
     none.result.message = error.what();

@@ -44,7 +44,8 @@ struct RegisteredClouds {
 };
 
 /// registerShapes() for clouds with indices and polygons. What is wrong with the data is the
-/// message of a result without an answer; only what the observer throws is thrown on.
+/// message of a result without an answer; what the observer throws is thrown on, and so is running
+/// out of memory.
 RegisteredClouds registerClouds(const CloudSide& source,
                                 const CloudSide& target,
                                 const RegistrationOptions& options,

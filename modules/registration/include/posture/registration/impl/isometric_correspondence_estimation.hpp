@@ -95,7 +95,7 @@ bool IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::update
   if (!changed_ && same_clouds && used_ == *this->indices_) return true;
   RegistrationOptions options = options_;
   options.both_ways = true;
-  withdraw("the observer ended the last registration");  // unless it does not
+  withdraw("the last registration was broken off");  // unless it is not
   clouds_ = registerClouds(sourceSide(), targetSide(), options, observer_);
   used_ = *this->indices_;
   used_source_ = this->input_;
