@@ -316,6 +316,8 @@ TEST(Table, namesSayWhatTheColumnsAre) {
     EXPECT_EQ(cloud.colors.row(0), (Eigen::Matrix<std::uint8_t, 1, 3>(10, 20, 30)));
   }
   expectSame(readCloud("a.csv", "x,y,what,z\n1,2.5,hat,-3\n4e2,5,,6\n").points, TWO);
+  for (const char* head : {"# Points: x y z", "// Format: X Y Z", "# Columns: x y z intensity"})
+    expectSame(readCloud("a.xyz", std::string(head) + "\n1 2.5 -3 7\n4e2 5 6 8\n").points, TWO);
 }
 
 TEST(Table, textsMayHaveBlanksBetweenCommas) {

@@ -111,6 +111,9 @@ class TableReader {
       return !word.empty() && (word[0] == '(' || word[0] == '[');
     };
     words_.erase(std::remove_if(words_.begin(), words_.end(), is_unit), words_.end());
+    // "Points: x y z" introduces the names; the colon is of no column.
+    if (in_comment && !words_.empty() && words_[0].size() > 1 && words_[0].back() == ':')
+      words_.erase(words_.begin());
     const std::optional<TableLayout> layout = layoutOfNames(words_);
     if (namesLackZ(words_)) {
       if (!in_comment) failWithoutZ();
