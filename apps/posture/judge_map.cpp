@@ -26,9 +26,10 @@ Json judgeMap(const TargetPlaces& target,
   const std::vector<VertexPair> pairs = target.onMesh(truth);
   Json json{{"errors", toJson(measureErrors(metric, at_vertices, pairs))}};
   json["subvertex_mean_x100"] = 100 * mean(measureErrors(metric, map, pairs).relative_error);
-  if (!mirror_truth.empty())
-    json["mirror"] =
-        toJson(compareWithMirror(metric, at_vertices, pairs, target.onMesh(mirror_truth)));
+  if (mirror_truth.empty()) return json;
+  const MirrorComparison mirror =
+      compareWithMirror(metric, at_vertices, pairs, target.onMesh(mirror_truth));
+  if (mirror.pairs > 0) json["mirror"] = toJson(mirror);
   return json;
 }
 

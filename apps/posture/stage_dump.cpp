@@ -33,7 +33,8 @@ bool isNameOfStage(const std::string& name) {
 
 /// What the list of a run before names, and nothing else, is taken away.
 void removeStages(const std::filesystem::path& folder) {
-  if (!std::filesystem::exists(folder / LIST)) return;
+  // Without a word in it, as power failures may leave it: no list.
+  if (!std::filesystem::exists(folder / LIST) || std::filesystem::is_empty(folder / LIST)) return;
   std::istringstream list(readTextFile(folder / LIST));
   for (std::string name; std::getline(list, name);)
     if (isNameOfStage(name) && std::filesystem::path(name).filename() == name)
