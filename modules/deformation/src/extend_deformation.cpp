@@ -102,7 +102,8 @@ void layRegion(const TriangleMesh& rest,
   const Points taken_along =
       applyDeformation(around, places(known, Eigen::all), rest.vertices(vertex, Eigen::all));
   const Laplacian laplacian = cotangentLaplacian(near);
-  Vector hold = HOLD * laplacian.mass.cwiseInverse();
+  const double softness = 1 / laplacian.mass.sum();  // the same in any unit
+  Vector hold = HOLD / softness * laplacian.mass.cwiseInverse();
   for (int i = 0; i < hold.size(); ++i)
     if (is_free[vertex[i]] != 0) {
       hold[i] = 0;
@@ -111,7 +112,7 @@ void layRegion(const TriangleMesh& rest,
   const Arap arap(near, laplacian);
   Points laid;
   try {
-    laid = arap.pull(start, start, arap.attract(1, hold), ITERATIONS);
+    laid = arap.pull(start, start, arap.attract(softness, hold), ITERATIONS);
   } catch (const TornSurface&) {  // it stays where it is
     return;
   }

@@ -11,6 +11,7 @@
 #include "polygon_frame.h"
 #include <algorithm>
 #include <optional>
+#include <unordered_set>
 
 namespace posture {
 namespace {
@@ -81,11 +82,12 @@ class Encoder {
   std::vector<int> triangleNear(int v) const {
     constexpr double LEAST_HEIGHT = 0.05;  // of the longest side
     std::vector<int> near{v};
+    std::unordered_set<int> seen{v};
     for (std::size_t ring_begin = 0;;) {
       const std::size_t ring_end = near.size();
       for (std::size_t i = ring_begin; i < ring_end; ++i)
         for (const int* w = neighbors_.begin(near[i]); w != neighbors_.end(near[i]); ++w)
-          if (std::find(near.begin(), near.end(), *w) == near.end()) near.push_back(*w);
+          if (seen.insert(*w).second) near.push_back(*w);
       const bool grown = near.size() > ring_end;
       ring_begin = ring_end;
       const std::vector<int> others(near.begin() + 1, near.end());

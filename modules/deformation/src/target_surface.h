@@ -24,7 +24,6 @@ class TargetSurface {
  public:
   explicit TargetSurface(const TriangleMesh& mesh);
 
-  double edge() const { return edge_; }  ///< mean length
   bool onBoundary(int vertex) const { return on_boundary_[vertex] != 0; }
 
   int nearestVertex(const Eigen::Vector3d& point) const { return index_.nearest(point).index; }
