@@ -104,6 +104,14 @@ TEST_F(Evaluate, WritesJson) {
   EXPECT_EQ(figures["mirror"]["wrong_side"], false);
 }
 
+TEST_F(Evaluate, NoSideIsRightWhereNothingIsMapped) {
+  writeMap("nothing.csv", COLUMNS + 1);
+  const std::vector<std::string> truths{"--truth", "identity", "--mirror", folder_ / "mirror.txt"};
+  const auto end = evaluate("nothing.csv", truths);
+  EXPECT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_THAT(end.out, testing::Not(HasSubstr("side ")));
+}
+
 TEST_F(Evaluate, QuietPrintsJsonAlone) {
   const auto quiet = evaluate("identity.csv", {"--truth", "identity", "--quiet"});
   EXPECT_EQ(quiet.exit_code, 0);

@@ -66,6 +66,12 @@ TEST(ExtendDeformation, bendsEvenlyBetweenEnds) {
                           1));
   EXPECT_LT(stretch, 0.1);
   EXPECT_LT((laid - bent.vertices).rowwise().norm().maxCoeff(), meanEdgeLength(rest));
+
+  // The same in any unit.
+  constexpr double UNIT = 1 << 24;
+  const Points in_other_unit =
+      extendDeformation({UNIT * rest.vertices, rest.faces}, UNIT * bent.vertices, middle);
+  EXPECT_LT((in_other_unit / UNIT - laid).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST(ExtendDeformation, laysEachRegionByTheSurfaceAroundIt) {

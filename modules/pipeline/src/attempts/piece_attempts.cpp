@@ -22,7 +22,7 @@ namespace {
 constexpr int MOST_PARTS = 4;
 
 /// First maps with a part that are behind a convincing answer by more are not gone on with: of
-/// those seen none came within 0.9 of it (decisions/attempts.md).
+/// those seen none came within 0.8 of it (decisions/attempts.md).
 constexpr double FAR_BEHIND = 2.5;
 
 /// What an answer that does not go on over the whole counts as: it can hardly be right.
