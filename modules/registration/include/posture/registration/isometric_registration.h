@@ -119,7 +119,7 @@ class IsometricRegistration : public pcl::Registration<PointSource, PointTarget,
   const RegistrationOptions& getOptions() const { return options_; }
 
   /// Told of each stage while align() runs, from the thread that called it; none: an empty one.
-  /// What it throws leaves align(), which has no answer then.
+  /// What it throws leaves align(), which has no answer then; so does running out of memory.
   void setObserver(Observer observer) { observer_ = std::move(observer); }
 
   /// What registerShapes() says, in double precision. Row i is output[i]; vertices of the target

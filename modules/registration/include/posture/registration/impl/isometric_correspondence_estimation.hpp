@@ -95,7 +95,8 @@ bool IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::update
   if (!changed_ && same_clouds && used_ == *this->indices_) return true;
   RegistrationOptions options = options_;
   options.both_ways = true;
-  withdraw("the last registration was broken off");  // unless it is not
+  // Unless neither happens.
+  withdraw("the observer ended the last registration, or memory ran out");
   clouds_ = registerClouds(sourceSide(), targetSide(), options, observer_);
   used_ = *this->indices_;
   used_source_ = this->input_;

@@ -159,7 +159,8 @@ bool IsometricRegistration<PointSource, PointTarget, Scalar>::registerVisualizat
 template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricRegistration<PointSource, PointTarget, Scalar>::computeTransformation(
     PointCloudSource& output, const Matrix4&) {
-  withdraw("the last align() was broken off");  // unless it is not
+  // Unless neither happens.
+  withdraw("the observer ended the last align(), or memory ran out");
   clouds_ = registerClouds(cloudSide(*this->input_, *this->indices_, source_polygons_),
                            cloudSide(*this->target_, allOf(*this->target_), target_polygons_),
                            options_,
