@@ -8,6 +8,7 @@
 #include "support/files.h"
 #include <csignal>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace posture {
 namespace {
@@ -85,6 +86,27 @@ TEST(AtomicFile, twoAtOnceDoNotMeet) {
   second.commit();
   first.commit();
   EXPECT_EQ(bytesOf(folder.path() / "out.txt"), "first");
+}
+
+TEST(AtomicFile, whatARunBeforeLeftIsInNobodysWay) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.file("out.txt", "old");
+  const std::string process = ".posture-" + std::to_string(::getpid()) + "-";
+  for (int i = 0; i < 100; ++i) folder.file(process + std::to_string(i) + ".tmp", "left");
+  writeFile(path, "new");
+  EXPECT_EQ(bytesOf(path), "new");
+  EXPECT_EQ(folder.names().size(), 101u);
+  EXPECT_EQ(bytesOf(folder.path() / (process + "99.tmp")), "left");
+}
+
+TEST(AtomicFile, aFileWrittenOverHandsDownItsPermissions) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.file("out.txt", "old");
+  for (const fs::perms permissions : {fs::perms(0600), fs::perms(0664)}) {
+    fs::permissions(path, permissions);
+    writeFile(path, "new");
+    EXPECT_EQ(fs::status(path).permissions(), permissions);
+  }
 }
 
 TEST(AtomicFile, writesThroughALink) {

@@ -51,6 +51,12 @@ int openUnnamed(fs::path folder) {
 
 std::string openFilePath(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
 
+/// False where there is such a file.
+bool makeEmpty(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+  return descriptor >= 0 && ::close(descriptor) == 0;
+}
+
 /// Gives an open file a name; false where that name is taken.
 bool nameFile(int descriptor, const fs::path& path) {
   return ::linkat(AT_FDCWD,
@@ -70,12 +76,11 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   if (!path_.has_filename()) failToWrite(path_, "no file name");
   // The move would replace a link by a file; what it points to is meant.
   path_ = behindLinks(path_);
-  temporary_ = temporaryBeside(path_);
   unnamed_ = openUnnamed(path_.parent_path());
   if (unnamed_ >= 0) stream_.open(openFilePath(unnamed_), std::ios::binary);
   if (stream_.is_open()) return;
   closeUnnamed();
-  errno = 0;
+  takeTemporaryName(makeEmpty);
   stream_.open(temporary_, std::ios::binary | std::ios::trunc);
   if (!stream_) failToWrite(path_, reasonOf(errno));
 }
@@ -99,9 +104,23 @@ void AtomicFile::commit() {
   committed_ = true;
 }
 
+void AtomicFile::takeTemporaryName(const std::function<bool(const fs::path&)>& take) {
+  do {
+    temporary_ = temporaryBeside(path_);
+    errno = 0;
+    if (take(temporary_)) return;
+  } while (errno == EEXIST);  // left by a run before, of the same number
+  failToWrite(path_, reasonOf(errno));
+}
+
 void AtomicFile::moveIntoPlace() {
-  if (unnamed_ >= 0 && !nameFile(unnamed_, temporary_)) failToWrite(path_, reasonOf(errno));
+  if (unnamed_ >= 0)
+    takeTemporaryName([this](const fs::path& name) { return nameFile(unnamed_, name); });
   std::error_code error;
+  // Who may read the file that goes may read the one that comes.
+  const fs::file_status before = fs::status(path_, error);
+  if (fs::exists(before)) fs::permissions(temporary_, before.permissions(), error);
+  error.clear();
   fs::rename(temporary_, path_, error);
   if (!error) return;
   removeTemporary();

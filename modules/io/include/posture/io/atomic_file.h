@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string_view>
 
 namespace posture {
@@ -11,7 +12,8 @@ namespace posture {
 /// A file that appears whole or not at all, whatever ends the process: it has no name before
 /// commit(). Without commit() - an exception, an early return, a signal - nothing is left. On file
 /// systems without such files (NFS) it has a hidden name beside its place meanwhile, which a signal
-/// leaves behind. When the machine itself stops, what was committed last may be lost or cut short.
+/// leaves behind. A file written over hands down its permissions. When the machine itself stops,
+/// what was committed last may be lost or cut short.
 class AtomicFile {
  public:
   /// \throws InputError  the folder does not exist or cannot be written to.
@@ -26,6 +28,8 @@ class AtomicFile {
   void commit();
 
  private:
+  /// \param take  gives a file that name; false, and EEXIST, where it is taken.
+  void takeTemporaryName(const std::function<bool(const std::filesystem::path&)>& take);
   void moveIntoPlace();
   void removeTemporary();
   void closeUnnamed();
