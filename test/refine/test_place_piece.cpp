@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -56,6 +57,23 @@ TEST(PlacePiece, ranksDifferentPlacesByMisfit) {
     EXPECT_NE(places[i].sample, places[0].sample);
   }
   EXPECT_GT(places[1].misfit, 0.01);
+}
+
+TEST(PlacePiece, allowsForTheSpacingOfFewSamples) {
+  // All of the whole's samples may be anchors; the piece's lie up to half a spacing from them.
+  const Points whole = lump().topRows(80);
+  const std::vector<int> part = partOf(whole, 0.4);
+  ASSERT_GT(part.size(), 15);
+  Points moved = whole(part, Eigen::all);
+  for (Eigen::Index i = 0; i < moved.rows(); ++i)
+    moved.row(i) += 0.03 * Eigen::RowVector3d(std::cos(i), std::sin(2 * i), std::sin(i));
+  const std::vector<PiecePlace> places =
+      placePiece(test::pairwise(moved), test::pairwise(whole), 3);
+  ASSERT_FALSE(places.empty());
+  double off = 0;
+  for (std::size_t i = 0; i < part.size(); ++i)
+    off += (whole.row(places[0].sample[i]) - whole.row(part[i])).norm();
+  EXPECT_LT(off / static_cast<double>(part.size()), 0.05);
 }
 
 TEST(PlacePiece, fitsNoLongLineIntoABall) {

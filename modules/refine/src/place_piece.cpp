@@ -50,16 +50,24 @@ void keepBest(std::size_t most, std::vector<Try>& tries) {
   tries.resize(kept);
 }
 
+/// How far a point of the whole may be from the places of anchors: as the farthest sample is or,
+/// where all samples are places, as the last one is from those before it.
+double spacingOf(const Matrix& whole, int places) {
+  const auto last = places - 1;
+  return places < whole.rows() ? whole.topRows(places).colwise().minCoeff().maxCoeff()
+                               : whole.row(last).head(last).minCoeff();
+}
+
 class Placer {
  public:
   Placer(const Matrix& piece, const Matrix& whole)
       : piece_(piece),
         whole_(whole),
         anchor_places_(std::min<int>(ANCHOR_PLACES, static_cast<int>(whole.rows()))),
-        spacing_(whole.topRows(anchor_places_).colwise().minCoeff().maxCoeff()),
+        spacing_(spacingOf(whole, anchor_places_)),
         mean_(piece.mean()) {}
 
-  /// Of the places anchors may have: no sample is farther from one.
+  /// Of the places anchors may have.
   double spacing() const { return spacing_; }
 
   /// The best places of the anchors at one scale.
