@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/baselines/rigid_registration.h>
-
-#include <pcl/console/print.h>
+#include <posture/core/silent_pcl.h>
 
 #include "local_methods.h"
 #include "working_frame.h"
@@ -10,20 +9,6 @@
 
 namespace posture {
 namespace {
-
-/// PCL writes to the terminal; what it has to say is in the result.
-class SilentPcl {
- public:
-  SilentPcl() : before_(pcl::console::getVerbosityLevel()) {
-    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  }
-  ~SilentPcl() { pcl::console::setVerbosityLevel(before_); }
-  SilentPcl(const SilentPcl&) = delete;
-  SilentPcl& operator=(const SilentPcl&) = delete;
-
- private:
-  pcl::console::VERBOSITY_LEVEL before_;
-};
 
 Alignment align(RigidMethod method,
                 const LocalCloud& source,

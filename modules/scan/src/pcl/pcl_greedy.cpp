@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/silent_pcl.h>
+
 #include <pcl/search/kdtree.h>
 
 #include "pcl/pcl_cloud.h"
@@ -13,6 +15,7 @@
 namespace posture {
 
 TriangleMesh greedySurface(const OrientedPoints& oriented, double spacing) {
+  const SilentPcl silent;
   pcl::GreedyProjectionTriangulation<pcl::PointNormal> greedy;
   // The factors are those of PCL's tutorial, but for the radius, which is three spacings.
   greedy.setSearchRadius(3 * spacing);
