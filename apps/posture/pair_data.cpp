@@ -81,11 +81,18 @@ Json describePair(const BenchmarkPair& pair, const std::string& method) {
 }
 
 void checkText(const BenchmarkPair& pair) {
-  try {
-    describePair(pair, "").dump();
-  } catch (const Json::type_error&) {
-    throw InputError("pair " + pair.id + ": the names of its files and its texts have to be UTF-8");
-  }
+  const auto isText = [](const std::string& text) {
+    try {
+      Json(text).dump();
+    } catch (const Json::type_error&) {
+      return false;
+    }
+    return true;
+  };
+  for (const std::filesystem::path& file : filesOf({pair}))
+    if (!isText(file.string())) throw InputError(file.string() + ": a name that is not UTF-8");
+  for (const std::string& text : {pair.id, pair.family, pair.kind, pair.note})
+    if (!isText(text)) throw InputError("pair " + pair.id + ": a text that is not UTF-8");
 }
 
 void checkTexts(const std::filesystem::path& list, const std::vector<BenchmarkPair>& pairs) {

@@ -41,7 +41,8 @@ std::vector<std::filesystem::path> filesOf(const std::vector<BenchmarkPair>& pai
 /// now: a result of others is not this pair's.
 Json describePair(const BenchmarkPair& pair, const std::string& method);
 
-/// \throws InputError  its files' names or its texts are no UTF-8, in which results are written.
+/// \throws InputError  the name of one of its files or one of its texts is not UTF-8, in which
+/// results are written.
 void checkText(const BenchmarkPair& pair);
 /// The same of all pairs of a list, which the message names.
 void checkTexts(const std::filesystem::path& list, const std::vector<BenchmarkPair>& pairs);

@@ -111,10 +111,12 @@ void synthesize(const SynthesizeOptions& options, const Common& common) {
   const OutputFolder folder(options.folder);
   Json shapes = Json::array(), pairs = Json::array();
   PairList list(options.folder, options.scan);
+  fs::remove(options.folder / "bones.json");
   Json bones = Json::object();
   SynthesizedShape reference;
   for (std::size_t i = 0; i < options.poses.size(); ++i) {
     SynthesizedShape shape = makeShape(options, i);
+    removeFilesOf(options.folder, shape);
     shapes.push_back(writeShape(options.folder, shape, common.quiet));
     if (!options.scan) {  // a scan has a frame and unit of its own
       writeBones(options.folder / shape.bonesFile(), shape.body);

@@ -101,6 +101,12 @@ Json PairList::add(const std::vector<std::string>& fields,
   return {{"id", id}, {"truth", file}, {"mirror_truth", mirror_file}, {"true_pairs", truth.size()}};
 }
 
+void removeFilesOf(const fs::path& folder, const SynthesizedShape& shape) {
+  for (const std::string& file :
+       {shape.meshFile(), shape.bonesFile(), shape.scanFile(), shape.scanSurfaceFile()})
+    fs::remove(folder / file);
+}
+
 Json writeShape(const fs::path& folder, const SynthesizedShape& shape, bool quiet) {
   const std::string file = shape.meshFile();
   const TriangleMesh& mesh = shape.scan ? shape.scan->surface : shape.body.mesh;

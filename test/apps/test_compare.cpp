@@ -309,6 +309,13 @@ TEST_F(Compare, VariationsMoveAndScaleAndShuffleTheSource) {
 }
 
 TEST_F(Compare, NamesTheFileThatCannotBeUsed) {
+  const std::string latin = folder_ /
+                            "fl\xE4"
+                            "che.off";
+  fs::copy_file(folder_ / "flat.off", latin);
+  const test::ProgramRun not_utf8 = compare({latin, folder_ / "bent.off", "--method", "icp"});
+  EXPECT_EQ(not_utf8.exit_code, 3);
+  EXPECT_EQ(not_utf8.err, "posture: " + latin + ": a name that is not UTF-8\n");
   const std::string line = folder_ / "line.off", flat = folder_ / "flat.off";
   std::ofstream(line) << "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n";
   compare({flat, line, "--method", "posture", "--method", "icp", "--variation", "aligned"});

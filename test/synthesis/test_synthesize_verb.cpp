@@ -256,6 +256,21 @@ TEST(SynthesizeVerb, WritesNoPairsForOneShape) {
               ElementsAre("bones.json", "quadruped-pose5-bones.csv", "quadruped-pose5.ply"));
 }
 
+TEST(SynthesizeVerb, LeavesNothingOfAnotherRunBesideAShape) {
+  const TemporaryFolder folder;
+  const auto run = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"-o", folder / ".", "--pose", "5", "--vertices", "1000"});
+    EXPECT_EQ(synthesize(more).exit_code, 0);
+    return folder.names();
+  };
+  const auto meshes = run({}), scans = run({"--scan", "--points", "1000"});
+  EXPECT_THAT(
+      scans,
+      ElementsAre(
+          "quadruped-pose5-scan-surface.txt", "quadruped-pose5-scan.pcd", "quadruped-pose5.ply"));
+  EXPECT_EQ(run({}), meshes);
+}
+
 TEST(SynthesizeVerb, RefusesWhatCannotBeMeant) {
   const TemporaryFolder folder;
   const std::vector<std::vector<std::string>> wrong = {{"--kind", "fish"},
