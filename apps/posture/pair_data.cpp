@@ -3,6 +3,7 @@
 #include "pair_data.h"
 
 #include <posture/core/error.h>
+#include <posture/core/utf8.h>
 #include <posture/evaluation/truth.h>
 #include <posture/io/shape_io.h>
 
@@ -81,18 +82,10 @@ Json describePair(const BenchmarkPair& pair, const std::string& method) {
 }
 
 void checkText(const BenchmarkPair& pair) {
-  const auto isText = [](const std::string& text) {
-    try {
-      Json(text).dump();
-    } catch (const Json::type_error&) {
-      return false;
-    }
-    return true;
-  };
   for (const std::filesystem::path& file : filesOf({pair}))
-    if (!isText(file.string())) throw InputError(file.string() + ": a name that is not UTF-8");
+    if (!isUtf8(file.string())) throw InputError(file.string() + ": a name that is not UTF-8");
   for (const std::string& text : {pair.id, pair.family, pair.kind, pair.note})
-    if (!isText(text)) throw InputError("pair " + pair.id + ": a text that is not UTF-8");
+    if (!isUtf8(text)) throw InputError("pair " + pair.id + ": a text that is not UTF-8");
 }
 
 void checkTexts(const std::filesystem::path& list, const std::vector<BenchmarkPair>& pairs) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "caption.h"
 
+#include <posture/core/utf8.h>
+
 #include <vtkFreeTypeTools.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -15,22 +17,15 @@ namespace {
 
 constexpr int DPI = 72;
 
-bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
-
 /// Printable ASCII and well-formed longer sequences as they are, anything else as '?'.
 std::string readable(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<unsigned char>(text[i]);
-    const std::size_t length = lead < 0x80   ? 1
-                               : lead < 0xC2 ? 0
-                               : lead < 0xE0 ? 2
-                               : lead < 0xF0 ? 3
-                                             : 0;
-    bool good = length > 0 && i + length <= text.size() && lead >= 0x20 && lead != 0x7F;
-    for (std::size_t k = 1; good && k < length; ++k) good = isContinuation(text[i + k]);
+    const std::size_t length = characterLength(text, i);
+    const bool good = length > 0 && lead >= 0x20 && lead != 0x7F;
     result += good ? text.substr(i, length) : "?";
-    i += good ? length : 1;
+    i += std::max<std::size_t>(length, 1);
   }
   return result;
 }

@@ -92,13 +92,11 @@ LimbEnd roughEnd(const LimbEnd& end) {
 std::vector<ClosestPair> pairsOf(const LimbEnd& a,
                                  const LimbEnd& b,
                                  const Eigen::Isometry3d& motion) {
-  const Eigen::Matrix3d back = motion.linear().transpose();
-  const std::vector<ClosestPair> all =
-      closestPairs((a.places * back).rowwise() + motion.translation().transpose(),
-                   a.normals * back,
-                   b.places,
-                   b.normals,
-                   NORMAL_LENGTH);
+  const std::vector<ClosestPair> all = closestPairs(moved(motion, a.places),
+                                                    a.normals * motion.linear().transpose(),
+                                                    b.places,
+                                                    b.normals,
+                                                    NORMAL_LENGTH);
   std::vector<ClosestPair> pairs;
   for (std::size_t k = 0; k < all.size(); ++k)
     if (k < a.wide.size() ? a.inside[all[k].a] : b.inside[all[k].b]) pairs.push_back(all[k]);

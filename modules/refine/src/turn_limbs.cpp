@@ -132,9 +132,7 @@ Eigen::Isometry3d moveTo(const Eigen::Isometry3d& motion,
                          const Points& rest,
                          const Points& bent,
                          const std::vector<int>& vertices) {
-  Points laid = rest(vertices, Eigen::all);
-  for (auto place : laid.rowwise()) place = (motion * Eigen::Vector3d(place)).transpose();
-  return rigidMotion(bent(vertices, Eigen::all), laid);
+  return rigidMotion(bent(vertices, Eigen::all), moved(motion, rest(vertices, Eigen::all)));
 }
 
 /// With the end laid as it fits as a rigid body, where it does so in one way only and lies turned:

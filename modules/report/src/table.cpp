@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/utf8.h>
 #include <posture/report/table.h>
 
 #include <algorithm>
@@ -18,9 +19,8 @@ struct Column {
 
 /// Characters, not bytes, of UTF-8.
 std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u;
-  }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return !isContinuation(c); }));
 }
 
 /// Digits with what stands around them in a table: signs, units of a percentage, "-" for none.
