@@ -79,7 +79,10 @@ Json writeBenchmarkReport(const std::vector<Json>& results,
   writeText(folder / "RESULTS.md", benchmarkPage(results, families, trust, listed));
   writeText(folder / "curves.svg", curvePlot(seriesOf(families, "curve")));
   writeText(folder / "histogram.svg", histogramPlot(seriesOf(families, "edge_histogram")));
-  if (trust.isKnown()) writeText(folder / "trust.svg", trustPlot(trust));
+  if (trust.isKnown())
+    writeText(folder / "trust.svg", trustPlot(trust));
+  else
+    std::filesystem::remove(folder / "trust.svg");  // of a run before
   return summary;
 }
 

@@ -68,7 +68,8 @@ std::string page(const Comparison& comparison, const std::vector<std::string>& c
       "100; of the rigid ones the vertex found is the one nearest to the moved point. Mapped: "
       "share of the true pairs that have a counterpart; without a truth, of the source's points. "
       "With misses: the error over all true pairs, one without a counterpart, or with more, "
-      "counting as 25, and a run that failed as well; it says which method is the best one. "
+      "counting as 25, and a run that failed as well, or that refused what another method has an "
+      "answer to; it says which method is the best one. "
       "Below: share of the true pairs whose error is at most that share of the square root. "
       "Change: the largest change of a pair's error against the aligned source; inf: it had none "
       "there; failed: it has no answer any more. Side: whether the map is nearer to the truth or "
@@ -102,7 +103,10 @@ Json writeComparison(const std::vector<Json>& runs,
   std::vector<std::string> curved;
   for (const std::string& variation : variations()) {
     const std::vector<NamedSeries> curves = curvesOf(runs, variation);
-    if (curves.empty()) continue;
+    if (curves.empty()) {
+      std::filesystem::remove(folder / curveFile(variation));  // of a run before
+      continue;
+    }
     writeText(folder / curveFile(variation), curvePlot(curves));
     curved.push_back(variation);
   }

@@ -23,10 +23,14 @@ bool isKnown(double figure) { return std::isfinite(figure); }
 
 double errorOf(const Json& run) { return numberAt(run, "/errors/mean_x100"); }
 
-/// The figure that methods are ranked by. A run that failed on a pair with a truth missed all of
-/// it.
+/// Set in a run that was not run where another method has an answer: files that cannot be read stop
+/// all methods, what one cannot work with is its own miss.
+constexpr char REFUSED[] = "refused";
+
+/// The figure that methods are ranked by. A run that failed on a pair with a truth, or refused it,
+/// missed all of it.
 double errorWithMisses(const Json& run) {
-  if (textAt(run, "status") == "failed" && !textAt(run, "truth").empty())
+  if ((textAt(run, "status") == "failed" || run.contains(REFUSED)) && !textAt(run, "truth").empty())
     return 100 * curvePlaces().back();
   return numberAt(run, "/errors/mean_with_misses_x100");
 }
@@ -104,6 +108,16 @@ std::string shareBelow(const Json& run, double place) {
 std::string side(const Json& run) {
   if (!run.contains("mirror")) return "-";
   return run["mirror"]["wrong_side"] == true ? "wrong" : "right";
+}
+
+void markRefusals(Runs& runs) {
+  for (Json& run : runs)
+    if (textAt(run, "status") == "not run" &&
+        std::any_of(runs.begin(), runs.end(), [&](const Json& other) {
+          return other.contains("errors") && textAt(other, "id") == textAt(run, "id") &&
+                 textAt(other, "variation") == textAt(run, "variation");
+        }))
+      run[REFUSED] = true;
 }
 
 /// Calls `row` with the runs of each method and variation, and with those of the method in all
@@ -324,7 +338,8 @@ std::string bestOfList(const Runs& of_variation) {
 
 }  // namespace
 
-Comparison summarizeRuns(const std::vector<Json>& runs) {
+Comparison summarizeRuns(std::vector<Json> runs) {
+  markRefusals(runs);
   const bool single = valuesOf(runs, "id").size() == 1;
   Comparison comparison{single ? pairTable(runs) : listTable(runs), fitTable(runs), {}};
   for (const std::string& variation : variations()) {

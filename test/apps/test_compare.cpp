@@ -20,6 +20,7 @@ namespace {
 
 using json = nlohmann::ordered_json;  // as the program writes it
 using testing::AnyOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -215,6 +216,21 @@ TEST_F(Compare, LeavingPointsOutDoesNotWin) {
                         "next as given, 5.00; posture, 12.55."));
   EXPECT_THAT(words, HasSubstr("49.7 %        12.55"));
   EXPECT_THAT(words, HasSubstr("100.0 %         1.00"));
+}
+
+TEST_F(Compare, RefusingAPairThatOthersAnswerDoesNotWin) {
+  summary("list");
+  for (const char* pair : {"rigid.aligned", "bent.aligned"}) {
+    storeError(pair, "as-given", 5, 5);
+    storeError(pair, "icp", 1, 1);
+  }
+  storeError("rigid.aligned", "gicp", 0.5, 0.5);
+  store("bent.aligned", "gicp", {{"errors", nullptr}, {"status", "not run"}});
+  // What no method can read is nobody's miss.
+  store("missing.aligned", "icp", {{"errors", nullptr}, {"status", "not run"}});
+  const std::string words = summary("list");
+  EXPECT_THAT(words, ContainsRegex("aligned +ICP [^\n]* 1\\.00 +- "));
+  EXPECT_THAT(words, ContainsRegex("aligned +GICP [^\n]* 12\\.75 +- "));
 }
 
 TEST_F(Compare, EqualMethodsShareThePlace) {
