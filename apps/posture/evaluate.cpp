@@ -60,7 +60,7 @@ Json measure(const EvaluateOptions& options) {
   const TargetPlaces places =
       options.surface.empty()
           ? TargetPlaces(options.target, target, std::nullopt)
-          : TargetPlaces(options.target, target, options.surface, options.surface_vertices);
+          : TargetPlaces(options.target, target, options.surface, options.surface_vertices, truth);
   Json judged = judgeMap(places, places.metric(), map, truth, mirror_truth);
   Json json = std::move(judged["errors"]);
   judged.erase("errors");

@@ -24,7 +24,10 @@ Json judgeMap(const TargetPlaces& target,
               const std::vector<VertexPair>& mirror_truth) {
   const std::vector<SurfacePoint> map = target.onMesh(on_target), at_vertices = atVertices(map);
   const std::vector<VertexPair> pairs = target.onMesh(truth);
-  Json json{{"errors", toJson(measureErrors(metric, at_vertices, pairs))}};
+  MapErrors errors = measureErrors(metric, at_vertices, pairs);
+  // Counterparts, be there a place to measure them at or not.
+  errors.accepted = static_cast<int>(mappedCount(on_target));
+  Json json{{"errors", toJson(errors)}};
   json["subvertex_mean_x100"] = 100 * mean(measureErrors(metric, map, pairs).relative_error);
   if (mirror_truth.empty()) return json;
   const MirrorComparison mirror =

@@ -36,7 +36,7 @@ PairData readPair(const BenchmarkPair& pair) {
   if (!pair.mirror_truth.empty()) data.mirror_truth = readTruth(pair.mirror_truth, n, m);
   if (!pair.target_surface.empty())
     data.on_surface.emplace(
-        pair.target, data.target, pair.target_surface, pair.target_surface_vertices);
+        pair.target, data.target, pair.target_surface, pair.target_surface_vertices, data.truth);
   return data;
 }
 

@@ -56,11 +56,13 @@ TargetPlaces::TargetPlaces(const std::filesystem::path& path,
 TargetPlaces::TargetPlaces(const std::filesystem::path& path,
                            const Shape& target,
                            const std::filesystem::path& surface,
-                           const std::filesystem::path& vertices)
+                           const std::filesystem::path& vertices,
+                           const std::vector<VertexPair>& truth)
     : path_(surface), mesh_(readMesh(surface).mesh), vertex_(target.cloud.points.rows(), -1) {
+  const bool in_one_frame = placeAtNearest(target.cloud.points, truth);
   if (!vertices.empty())
     placeByRows(vertices);
-  else if (!placeAtNearest(target.cloud.points))
+  else if (!in_one_frame)
     throw InputError(surface.string() + ": is not where " + path.string() +
                      " is: in another unit, or another frame?");
 }
@@ -76,15 +78,19 @@ void TargetPlaces::placeByRows(const std::filesystem::path& vertices) {
   }
 }
 
-bool TargetPlaces::placeAtNearest(const Points& points) {
+bool TargetPlaces::placeAtNearest(const Points& points, const std::vector<VertexPair>& truth) {
+  std::vector<char> is_true(points.rows(), truth.empty());
+  for (const VertexPair& pair : truth) is_true[pair.target] = 1;
   const PointIndex index(mesh_.vertices);
   std::vector<double> distances;
   for (int i : finiteRows(points)) {
     const PointIndex::Neighbor nearest = index.nearest(points.row(i));
     vertex_[i] = nearest.index;
-    distances.push_back(nearest.distance);
+    if (is_true[i]) distances.push_back(nearest.distance);
   }
-  return distances.empty() || median(std::move(distances)) <= mostApart(points, mesh_);
+  if (distances.empty() || median(std::move(distances)) <= mostApart(points, mesh_)) return true;
+  std::fill(vertex_.begin(), vertex_.end(), -1);
+  return false;
 }
 
 TargetMetric TargetPlaces::metric() const {

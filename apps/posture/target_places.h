@@ -25,13 +25,15 @@ class TargetPlaces {
                const std::optional<ScanSurface>& scan);
 
   /// Measured on `surface`, a clean mesh of the same body in the same frame.
-  /// \param vertices  file of rows: a vertex (point) of the target, a vertex of the surface; empty:
-  /// each goes to the nearest one.
+  /// \param vertices  file of rows: a vertex (point) of the target, a vertex of the surface.
+  /// Others, or all where it is empty, go to the nearest one, where the two lie in one frame.
+  /// \param truth  it is its points that have to lie on the surface: others may be of a floor.
   /// \throws InputError  a file cannot be used.
   TargetPlaces(const std::filesystem::path& path,
                const Shape& target,
                const std::filesystem::path& surface,
-               const std::filesystem::path& vertices);
+               const std::filesystem::path& vertices,
+               const std::vector<VertexPair>& truth);
 
   /// \throws InputError  there is nothing to measure on; names the file.
   TargetMetric metric() const;
@@ -44,8 +46,8 @@ class TargetPlaces {
  private:
   int at(int target_vertex) const;
   void placeByRows(const std::filesystem::path& vertices);
-  /// False where most lie too far from it.
-  bool placeAtNearest(const Points& points);
+  /// False, and nothing is placed, where most of those of the truth lie too far from it.
+  bool placeAtNearest(const Points& points, const std::vector<VertexPair>& truth);
 
   std::filesystem::path path_;  // of what is measured on
   TriangleMesh mesh_;

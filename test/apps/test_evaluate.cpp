@@ -183,6 +183,38 @@ TEST_F(Evaluate, ATargetThatLacksAPartIsMeasuredOnTheWhole) {
             1.5 * whole["mean_x100"].get<double>());
 }
 
+TEST_F(Evaluate, AScanWithAFloorIsMeasuredOnTheBody) {
+  const Points body = test::grid(COLUMNS, ROWS, COLUMNS, ROWS).vertices;
+  std::ofstream scan(folder_ / "scan.xyz"), truth(folder_ / "truth.txt"),
+      rows(folder_ / "rows.txt");
+  for (int v = 0; v < VERTICES; ++v) {
+    scan << body.row(v) << '\n';
+    truth << v << ' ' << v << '\n';
+    if (v < VERTICES / 2) rows << v << ' ' << v << '\n';
+  }
+  for (int i = 0; i < 2 * VERTICES; ++i) scan << i % 40 << ' ' << i / 40 << " -30\n";
+  scan.close();
+  truth.close();
+  rows.close();
+  const auto of = [&](std::vector<std::string> more) {
+    more.insert(more.end(),
+                {"--json",
+                 "--truth",
+                 folder_ / "truth.txt",
+                 "--target",
+                 folder_ / "scan.xyz",
+                 "--surface",
+                 folder_ / "target.off"});
+    return json::parse(evaluate("identity.csv", more).out);
+  };
+  // Points without a row are at the nearest vertex; a counterpart there is one like others.
+  for (const json& judged : {of({}), of({"--surface-vertices", folder_ / "rows.txt"})}) {
+    EXPECT_EQ(judged["mean_x100"], 0);
+    EXPECT_EQ(judged["accepted"], VERTICES);
+    EXPECT_EQ(judged["mapped_pairs"], VERTICES);
+  }
+}
+
 TEST_F(Evaluate, BadInputIsOneLine) {
   std::ofstream(folder_ / "far.txt") << "0 0\n1 231\n";
   std::ofstream(folder_ / "cloud.off") << "OFF\n231 0 0\n"
