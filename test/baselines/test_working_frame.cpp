@@ -32,5 +32,19 @@ TEST(WorkingFrame, whatIsNearlyAMotionBecomesOneAndNoMirroring) {
   }
 }
 
+TEST(WorkingFrame, pointsThrownFarOffAreInNoCloud) {
+  PointCloud cloud;
+  cloud.points = test::randomPoints(200, 1);
+  const Points body = WorkingFrame(cloud.points, 1).local(cloud).points;
+  cloud.points.conservativeResize(202, 3);
+  cloud.points.row(200) << 200, 200, 200;
+  cloud.points.row(201) << -1e9, 0, 0;
+  const WorkingFrame frame(cloud.points, 1);
+  EXPECT_EQ(frame.local(cloud).points, body);
+  // In another unit all points are far from the frame, and none from each other.
+  cloud.points *= 1000;
+  EXPECT_EQ(frame.local(cloud).points.rows(), 200);
+}
+
 }  // namespace
 }  // namespace posture

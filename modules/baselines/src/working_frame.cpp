@@ -7,7 +7,11 @@
 #include <posture/core/finite_rows.h>
 #include <posture/mesh/nearest_rotation.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace posture {
@@ -23,19 +27,40 @@ std::vector<int> enoughRows(const Points& points) {
   return rows;
 }
 
-/// The length that holds the middle 98 % of the numbers.
-double spread(Vector values) {
+/// What holds the middle 98 % of the numbers.
+std::pair<double, double> middle(Vector values) {
   std::sort(values.data(), values.data() + values.size());
   const Eigen::Index off = values.size() / 100;
-  return values[values.size() - 1 - off] - values[off];
+  return {values[off], values[values.size() - 1 - off]};
+}
+
+/// Of the middle 98 % along each axis: one point thrown far out is no size.
+Eigen::AlignedBox3d boxOf(const Points& points) {
+  Eigen::AlignedBox3d box(Eigen::Vector3d::Zero());
+  for (int k = 0; k < 3; ++k) std::tie(box.min()[k], box.max()[k]) = middle(points.col(k));
+  return box;
+}
+
+/// Finite points but for those more than ten sizes off: PCL's grids would span these, too, and have
+/// more cells than can be counted.
+std::vector<int> bodyRows(const Points& points) {
+  constexpr double FAR = 10;
+  std::vector<int> rows = enoughRows(points);
+  const Eigen::AlignedBox3d box = boxOf(points(rows, Eigen::all));
+  const double farthest = FAR * box.diagonal().norm();
+  const auto isFar = [&](int row) {
+    return (points.row(row).transpose() - box.center()).norm() > farthest;
+  };
+  if (farthest > 0) rows.erase(std::remove_if(rows.begin(), rows.end(), isFar), rows.end());
+  return rows;
 }
 
 }  // namespace
 
 WorkingFrame::WorkingFrame(const Points& target, double size) {
-  const Points points = target(enoughRows(target), Eigen::all);
+  const Points points = target(bodyRows(target), Eigen::all);
   center_ = points.colwise().mean();
-  const Eigen::Vector3d box(spread(points.col(0)), spread(points.col(1)), spread(points.col(2)));
+  const Eigen::Vector3d box = boxOf(points).sizes();
   requireNotTooLarge(center_.cwiseAbs().maxCoeff() + box.maxCoeff());
   requireNotTooSmall(box.maxCoeff());
   unit_ = box.norm() / size;
@@ -43,7 +68,7 @@ WorkingFrame::WorkingFrame(const Points& target, double size) {
 }
 
 LocalCloud WorkingFrame::local(const PointCloud& cloud) const {
-  const std::vector<int> rows = enoughRows(cloud.points);
+  const std::vector<int> rows = bodyRows(cloud.points);
   LocalCloud local;
   local.points = (cloud.points(rows, Eigen::all).rowwise() - center_.transpose()) / unit_;
   constexpr double FARTHEST = 1e15;  // PCL squares distances in single precision

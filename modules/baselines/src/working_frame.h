@@ -8,7 +8,8 @@
 
 namespace posture {
 
-/// A cloud's finite points and their normals in a working frame.
+/// A cloud's finite points and their normals in a working frame, without those more than ten times
+/// the cloud's size away from it.
 struct LocalCloud {
   Points points;
   Points normals;                         ///< n x 3, zero where unknown; or 0 x 3
