@@ -182,6 +182,21 @@ TEST(IsometricCorrespondenceEstimation, registersAnewOnlyWhenSomethingChanged) {
   EXPECT_EQ(estimation.getMessage(), "source has no points");
 }
 
+TEST(IsometricCorrespondenceEstimation, aCloudThatHasLostPointsIsRegisteredAnew) {
+  Estimation estimation;
+  estimation.setOptions(published());
+  const auto target = pcl::make_shared<Cloud>(*bodies().target);
+  estimation.setInputSource(bodies().source);
+  estimation.setInputTarget(target);
+  pcl::Correspondences matches;
+  estimation.determineCorrespondences(matches);
+  ASSERT_FALSE(matches.empty());
+  target->resize(target->size() / 2);
+  estimation.determineCorrespondences(matches);
+  for (const pcl::Correspondence& match : matches)
+    ASSERT_LT(match.index_match, static_cast<int>(target->size()));
+}
+
 TEST(IsometricCorrespondenceEstimation, aCloudSetThroughTheBaseIsRegistered) {
   Estimation estimation;
   estimation.setInputTarget(bodies().target);

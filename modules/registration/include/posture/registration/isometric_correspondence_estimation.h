@@ -21,8 +21,8 @@ namespace posture {
 ///
 /// The first call after an input, the indices, a mesh, normals or options were set anew registers
 /// the clouds, which takes seconds; further calls use what it found, also where the points of a
-/// cloud were changed in place. A loop that sets its source anew in each iteration, as
-/// pcl::IterativeClosestPoint does, registers in each.
+/// cloud were moved in place, but not where their number changed. A loop that sets its source anew
+/// in each iteration, as pcl::IterativeClosestPoint does, registers in each.
 ///
 /// Where the data do not decide, the matches are those of the best guess; where they cannot be used
 /// there are none. getResult() has the status, getMessage() the reason.
@@ -109,6 +109,7 @@ class IsometricCorrespondenceEstimation
   pcl::Indices used_;
   PointCloudSourceConstPtr used_source_;
   PointCloudTargetConstPtr used_target_;
+  std::size_t used_source_size_ = 0, used_target_size_ = 0;
   RegisteredClouds clouds_;
 
  public:

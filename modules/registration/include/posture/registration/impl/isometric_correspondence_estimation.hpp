@@ -91,7 +91,9 @@ bool IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::update
     withdraw("an input was not set");
     return false;
   }
-  const bool same_clouds = this->input_ == used_source_ && this->target_ == used_target_;
+  const bool same_clouds = this->input_ == used_source_ && this->target_ == used_target_ &&
+                           this->input_->size() == used_source_size_ &&
+                           this->target_->size() == used_target_size_;
   if (!changed_ && same_clouds && used_ == *this->indices_) return true;
   RegistrationOptions options = options_;
   options.both_ways = true;
@@ -101,6 +103,8 @@ bool IsometricCorrespondenceEstimation<PointSource, PointTarget, Scalar>::update
   used_ = *this->indices_;
   used_source_ = this->input_;
   used_target_ = this->target_;
+  used_source_size_ = this->input_->size();
+  used_target_size_ = this->target_->size();
   changed_ = false;
   return true;
 }
