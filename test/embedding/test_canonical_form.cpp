@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
+#include <cmath>
+#include <stdexcept>
 
 namespace posture {
 namespace {
@@ -57,6 +59,18 @@ TEST(CanonicalForm, liesInItsPrincipalFrame) {
   EXPECT_LT((covariance - Eigen::Matrix3d(form.eigenvalues.asDiagonal())).norm(), 1e-9);
   EXPECT_GE(form.eigenvalues[0], form.eigenvalues[1]);
   EXPECT_GE(form.eigenvalues[1], form.eigenvalues[2]);
+}
+
+TEST(CanonicalForm, refusesVerticesThatNoSampleReaches) {
+  TriangleMesh grid = test::grid(12, 9, 4, 1);
+  const CanonicalForm before = embedSamples(computeLandmarks(grid, FastMarching(grid)));
+  const auto n = grid.vertices.rows();
+  grid.vertices.conservativeResize(n + 1, 3);
+  grid.vertices.row(n).setConstant(std::nan(""));  // in no face
+  const Landmarks landmarks = computeLandmarks(grid, FastMarching(grid));
+  EXPECT_THROW(computeCanonicalForm(landmarks), std::invalid_argument);
+  // Samples alone are where they were without it.
+  EXPECT_EQ(embedSamples(landmarks).landmarks, before.landmarks);
 }
 
 }  // namespace

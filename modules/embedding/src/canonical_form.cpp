@@ -80,6 +80,7 @@ CanonicalForm computeCanonicalForm(const Landmarks& samples) {
     }
     // Paths from v meet the holes that those of its nearest sample meet.
     const int nearest = samples.nearest[v];
+    require(nearest >= 0, "canonical form: a vertex that no sample reaches");
     form.vertices.row(v) = project(form.landmarks,
                                    samples.distances.col(v),
                                    samples.confidence.row(nearest),

@@ -47,13 +47,15 @@ class EdgeSearch {
   std::vector<int> queue_;
 };
 
-/// body(begin, end) for blocks of 0 .. count - 1, in parallel; memory is reused within a block.
+/// body(begin, end) for blocks of 0 .. count - 1, in parallel; memory of the mesh's size is reused
+/// within a block, so there are no more of them than keep some threads busy.
 template <class Body>
 void parallelBlocks(std::size_t count, const Body& body) {
-  constexpr std::size_t BLOCK = 16;
-  parallelFor(static_cast<int>((count + BLOCK - 1) / BLOCK), [&](int block) {
-    const std::size_t begin = block * BLOCK;
-    body(begin, std::min(count, begin + BLOCK));
+  constexpr std::size_t LEAST = 16, MOST_BLOCKS = 256;
+  const std::size_t size = std::max(LEAST, (count + MOST_BLOCKS - 1) / MOST_BLOCKS);
+  parallelFor(static_cast<int>((count + size - 1) / size), [&](int block) {
+    const std::size_t begin = block * size;
+    body(begin, std::min(count, begin + size));
   });
 }
 

@@ -12,11 +12,13 @@ namespace posture {
 namespace {
 
 int farthestFromCentroid(const TriangleMesh& mesh, const std::vector<int>& face_of) {
-  const Eigen::RowVector3d centroid = mesh.vertices.colwise().mean();
+  std::vector<int> in_faces;
+  for (int v = 0; v < mesh.vertices.rows(); ++v)
+    if (face_of[v] >= 0) in_faces.push_back(v);
+  const Eigen::RowVector3d centroid = mesh.vertices(in_faces, Eigen::all).colwise().mean();
   int farthest = -1;
   double most = -1;
-  for (int v = 0; v < mesh.vertices.rows(); ++v) {
-    if (face_of[v] < 0) continue;
+  for (const int v : in_faces) {
     const double distance = (mesh.vertices.row(v) - centroid).squaredNorm();
     if (distance > most) {
       most = distance;

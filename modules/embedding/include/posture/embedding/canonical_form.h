@@ -24,6 +24,7 @@ CanonicalForm embedSamples(const Landmarks& landmarks);
 
 /// Section 4.1 on the samples, and every other vertex projected into their embedding.
 /// \param landmarks  as for embedSamples(), which throws the same.
+/// \throws std::invalid_argument  a vertex that no sample reaches.
 CanonicalForm computeCanonicalForm(const Landmarks& landmarks);
 
 }  // namespace posture

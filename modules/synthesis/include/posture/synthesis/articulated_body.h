@@ -45,7 +45,8 @@ struct ArticulatedBody {
 ArticulatedBody makeBody(const BodyOptions& options);
 
 /// The true counterpart of every source vertex: the target vertex whose rest place is nearest,
-/// left out where the target has no surface there (a hole), that is, within its mean edge length.
+/// left out where there is none within the target's mean edge length: in a hole, and here and there
+/// in the middle of a face with much longer edges.
 std::vector<VertexPair> groundTruth(const ArticulatedBody& source, const ArticulatedBody& target);
 
 /// The same for the answer that took left for right: the rest place reflected in x = 0, and the
