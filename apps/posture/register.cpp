@@ -121,7 +121,8 @@ void addRegister(CLI::App& app, Common& common) {
       "with two like sides often comes out mirrored");
   verb->add_flag("--alternatives",
                  options->alternatives,
-                 "Also write the different answers that were not chosen: alternative-1.csv, ...")
+                 "Also write the different answers that were not chosen: alternative-N.csv, N as "
+                 "in the report, from 0")
       ->excludes("--paper");
   verb->add_flag("--both",
                  options->both,
