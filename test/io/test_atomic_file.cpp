@@ -8,6 +8,7 @@
 #include "support/files.h"
 #include <csignal>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace posture {
@@ -107,6 +108,20 @@ TEST(AtomicFile, aFileWrittenOverHandsDownItsPermissions) {
     writeFile(path, "new");
     EXPECT_EQ(fs::status(path).permissions(), permissions);
   }
+}
+
+TEST(AtomicFile, handsDownOwnersAndNoRightToRunAsThem) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root may give files away";
+  const TemporaryFolder folder;
+  const fs::path path = folder.file("out.txt", "old");
+  ASSERT_EQ(::chown(path.c_str(), 12345, 54321), 0);
+  ASSERT_EQ(::chmod(path.c_str(), 04660), 0);
+  writeFile(path, "new");
+  struct stat after {};
+  ASSERT_EQ(::stat(path.c_str(), &after), 0);
+  EXPECT_EQ(after.st_uid, 12345u);
+  EXPECT_EQ(after.st_gid, 54321u);
+  EXPECT_EQ(after.st_mode & 07777U, 0660u);
 }
 
 TEST(AtomicFile, writesThroughALink) {

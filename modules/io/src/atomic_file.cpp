@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cerrno>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -52,8 +53,8 @@ int openUnnamed(fs::path folder) {
 std::string openFilePath(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
 
 /// False where there is such a file.
-bool makeEmpty(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+bool makeEmpty(const fs::path& path, mode_t mode) {
+  const int descriptor = ::open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, mode);
   return descriptor >= 0 && ::close(descriptor) == 0;
 }
 
@@ -64,6 +65,18 @@ bool nameFile(int descriptor, const fs::path& path) {
                   AT_FDCWD,
                   path.c_str(),
                   AT_SYMLINK_FOLLOW) == 0;
+}
+
+/// Who might read and write the one file may do so with the other; its group where that cannot be
+/// given may not.
+void handDown(const fs::path& from, const std::string& to) {
+  struct stat before {};
+  if (::stat(from.c_str(), &before) != 0) return;
+  mode_t mode = before.st_mode & 0777;
+  if (::chown(to.c_str(), before.st_uid, before.st_gid) != 0 &&
+      ::chown(to.c_str(), static_cast<uid_t>(-1), before.st_gid) != 0)
+    mode &= ~070U;
+  if (::chmod(to.c_str(), mode) != 0) return;  // on some file systems all are as they are
 }
 
 }  // namespace
@@ -80,9 +93,13 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   if (unnamed_ >= 0) stream_.open(openFilePath(unnamed_), std::ios::binary);
   if (stream_.is_open()) return;
   closeUnnamed();
-  takeTemporaryName(makeEmpty);
+  const mode_t mode = fs::exists(status) ? 0600 : 0666;
+  takeTemporaryName([mode](const fs::path& name) { return makeEmpty(name, mode); });
   stream_.open(temporary_, std::ios::binary | std::ios::trunc);
-  if (!stream_) failToWrite(path_, reasonOf(errno));
+  if (stream_) return;
+  const std::string reason = reasonOf(errno);
+  removeTemporary();
+  failToWrite(path_, reason);
 }
 
 AtomicFile::~AtomicFile() {
@@ -98,6 +115,7 @@ void AtomicFile::commit() {
   stream_.flush();
   stream_.close();
   if (!stream_) failToWrite(path_, errno == 0 ? "the disk may be full" : reasonOf(errno));
+  handDown(path_, unnamed_ >= 0 ? openFilePath(unnamed_) : temporary_.string());
   // A name can be given but not taken over: over another file only a move goes.
   if (unnamed_ < 0 || !nameFile(unnamed_, path_)) moveIntoPlace();
   closeUnnamed();
@@ -117,10 +135,6 @@ void AtomicFile::moveIntoPlace() {
   if (unnamed_ >= 0)
     takeTemporaryName([this](const fs::path& name) { return nameFile(unnamed_, name); });
   std::error_code error;
-  // Who may read the file that goes may read the one that comes.
-  const fs::file_status before = fs::status(path_, error);
-  if (fs::exists(before)) fs::permissions(temporary_, before.permissions(), error);
-  error.clear();
   fs::rename(temporary_, path_, error);
   if (!error) return;
   removeTemporary();

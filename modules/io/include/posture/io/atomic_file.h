@@ -12,8 +12,9 @@ namespace posture {
 /// A file that appears whole or not at all, whatever ends the process: it has no name before
 /// commit(). Without commit() - an exception, an early return, a signal - nothing is left. On file
 /// systems without such files (NFS) it has a hidden name beside its place meanwhile, which a signal
-/// leaves behind. A file written over hands down its permissions. When the machine itself stops,
-/// what was committed last may be lost or cut short.
+/// leaves behind. A file written over hands down its owner and group, as far as the process may,
+/// and its permissions. When the machine itself stops, what was committed last may be lost or cut
+/// short.
 class AtomicFile {
  public:
   /// \throws InputError  the folder does not exist or cannot be written to.
