@@ -41,6 +41,11 @@ TEST(WorkingFrame, pointsThrownFarOffAreInNoCloud) {
   cloud.points.row(201) << -1e9, 0, 0;
   const WorkingFrame frame(cloud.points, 1);
   EXPECT_EQ(frame.local(cloud).points, body);
+  // Few points have one a side that does not count.
+  PointCloud few;
+  few.points = test::randomPoints(30, 2);
+  few.points.row(7) << 0, 1e6, 0;
+  EXPECT_EQ(WorkingFrame(few.points, 1).local(few).points.rows(), 29);
   // In another unit all points are far from the frame, and none from each other.
   cloud.points *= 1000;
   EXPECT_EQ(frame.local(cloud).points.rows(), 200);

@@ -27,10 +27,11 @@ std::vector<int> enoughRows(const Points& points) {
   return rows;
 }
 
-/// What holds the middle 98 % of the numbers.
+/// What holds the middle 98 % of the numbers, all but one a side of few.
+/// \pre  three at least
 std::pair<double, double> middle(Vector values) {
   std::sort(values.data(), values.data() + values.size());
-  const Eigen::Index off = values.size() / 100;
+  const Eigen::Index off = std::max<Eigen::Index>(1, values.size() / 100);
   return {values[off], values[values.size() - 1 - off]};
 }
 
