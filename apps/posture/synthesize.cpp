@@ -109,24 +109,23 @@ void synthesize(const SynthesizeOptions& options, const Common& common) {
   if (options.rigid) return synthesizeRigid(options, common);
   checkTogether(options);
   const OutputFolder folder(options.folder);
-  Json shapes = Json::array(), pairs = Json::array();
-  PairList list(options.folder, options.scan);
+  // What cannot be made takes nothing of a run before away.
+  const SynthesizedShape reference = makeShape(options, 0);
   fs::remove(options.folder / "bones.json");
-  Json bones = Json::object();
-  SynthesizedShape reference;
-  for (std::size_t i = 0; i < options.poses.size(); ++i) {
-    SynthesizedShape shape = makeShape(options, i);
+  PairList list(options.folder, options.scan);
+  Json shapes = Json::array(), pairs = Json::array(), bones = Json::object();
+  const auto write = [&](const SynthesizedShape& shape) {
     removeFilesOf(options.folder, shape);
     shapes.push_back(writeShape(options.folder, shape, common.quiet));
-    if (!options.scan) {  // a scan has a frame and unit of its own
-      writeBones(options.folder / shape.bonesFile(), shape.body);
-      bones[shape.meshFile()] = describeBones(shape.body);
-      shapes.back()["bones"] = shape.bonesFile();
-    }
-    if (i == 0) {
-      reference = std::move(shape);
-      continue;
-    }
+    if (options.scan) return;  // a scan has a frame and unit of its own
+    writeBones(options.folder / shape.bonesFile(), shape.body);
+    bones[shape.meshFile()] = describeBones(shape.body);
+    shapes.back()["bones"] = shape.bonesFile();
+  };
+  write(reference);
+  for (std::size_t i = 1; i < options.poses.size(); ++i) {
+    const SynthesizedShape shape = makeShape(options, i);
+    write(shape);
     pairs.push_back(list.add(options.kind, reference, shape));
     if (options.scan) pairs.push_back(list.addScans(options.kind, reference, shape));
   }

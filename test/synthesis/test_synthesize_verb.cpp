@@ -271,6 +271,17 @@ TEST(SynthesizeVerb, LeavesNothingOfAnotherRunBesideAShape) {
   EXPECT_EQ(run({}), meshes);
 }
 
+TEST(SynthesizeVerb, WhatCannotBeMadeTakesNothingAway) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> made{"-o", folder / ".", "--pose", "5", "6", "--vertices", "1000"};
+  EXPECT_EQ(synthesize(made).exit_code, 0);
+  const auto before = folder.names();
+  std::vector<std::string> refused = made;
+  refused.insert(refused.end(), {"--holes", "900"});
+  EXPECT_NE(synthesize(refused).exit_code, 0);
+  EXPECT_EQ(folder.names(), before);
+}
+
 TEST(SynthesizeVerb, RefusesWhatCannotBeMeant) {
   const TemporaryFolder folder;
   const std::vector<std::vector<std::string>> wrong = {{"--kind", "fish"},
