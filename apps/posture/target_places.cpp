@@ -11,6 +11,7 @@
 #include <posture/mesh/point_index.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace posture::app {
@@ -20,9 +21,8 @@ namespace {
 /// How far most of a scan's points may lie from the vertices of the surface they were taken of: the
 /// vertices' spacing, and noise; and little beside the scan, where the surface is in a smaller
 /// unit.
-double mostApart(const Points& points, const TriangleMesh& surface) {
+double mostApart(const Points& seen, const TriangleMesh& surface) {
   constexpr double NOISE = 0.02, LITTLE = 0.1;
-  const Points seen = points(finiteRows(points), Eigen::all);
   const double size = (seen.colwise().maxCoeff() - seen.colwise().minCoeff()).norm();
   return std::min(2 * meanEdgeLength(surface) + NOISE * rootArea(surface), LITTLE * size);
 }
@@ -79,16 +79,21 @@ void TargetPlaces::placeByRows(const std::filesystem::path& vertices) {
 }
 
 bool TargetPlaces::placeAtNearest(const Points& points, const std::vector<VertexPair>& truth) {
-  std::vector<char> is_true(points.rows(), truth.empty());
+  const std::vector<int> seen = finiteRows(points);
+  if (seen.empty()) return true;
+  std::vector<char> is_true(points.rows(), 0);
   for (const VertexPair& pair : truth) is_true[pair.target] = 1;
+  std::vector<int> compared;
+  std::copy_if(seen.begin(), seen.end(), std::back_inserter(compared), [&](int i) {
+    return is_true[i] != 0;
+  });
+  if (compared.empty()) compared = seen;
   const PointIndex index(mesh_.vertices);
+  for (int i : seen) vertex_[i] = index.nearest(points.row(i)).index;
   std::vector<double> distances;
-  for (int i : finiteRows(points)) {
-    const PointIndex::Neighbor nearest = index.nearest(points.row(i));
-    vertex_[i] = nearest.index;
-    if (is_true[i]) distances.push_back(nearest.distance);
-  }
-  if (distances.empty() || median(std::move(distances)) <= mostApart(points, mesh_)) return true;
+  for (int i : compared)
+    distances.push_back((points.row(i) - mesh_.vertices.row(vertex_[i])).norm());
+  if (median(std::move(distances)) <= mostApart(points(compared, Eigen::all), mesh_)) return true;
   std::fill(vertex_.begin(), vertex_.end(), -1);
   return false;
 }
