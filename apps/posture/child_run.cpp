@@ -26,8 +26,10 @@ Json storedResult(const ChildRun& run) {
   return json;
 }
 
-/// Crashed or took too long.
-bool wasCutShort(const Json& result) { return result.value("cut_short", false); }
+/// Crashed or took too long, or files could not be read, which may have to do with more than them.
+bool mayGoBetter(const Json& result) {
+  return result.value("cut_short", false) || result.value("status", "") == "not run";
+}
 
 Json runInChild(const ChildRun& run, const std::function<void()>& waiting) {
   std::filesystem::remove(run.result_file);
@@ -56,7 +58,7 @@ std::vector<Json> runAll(const std::vector<PlannedRun>& runs, bool fresh, bool q
     Json result = storedResult(run);
     if (planned.is_asked_for) {
       progress.begin(planned.title);
-      if (fresh || result.is_null() || wasCutShort(result)) {
+      if (fresh || result.is_null() || mayGoBetter(result)) {
         result = runInChild(run, [&] { progress.wait(); });
         progress.end(result);
       }

@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare_report.h"
 
+#include <posture/evaluation/map_error.h>
+
 #include "compare_run.h"
 #include "compare_variation.h"
 #include "error_plots.h"
 #include "folder.h"
 #include "result_columns.h"
+#include <algorithm>
 #include <iterator>
+#include <system_error>
 
 namespace posture::app {
 namespace {
@@ -40,14 +44,15 @@ constexpr ResultColumn COLUMNS[] = {{"id", "/id"},
 
 std::string curveFile(const std::string& variation) { return "curves-" + variation + ".svg"; }
 
-/// One curve a method that has one.
+/// One curve a method that has one, over what it failed on as well: none of that is below.
 std::vector<NamedSeries> curvesOf(const std::vector<Json>& runs, const std::string& variation) {
+  const std::vector<double> none_below(curvePlaces().size(), 0.0);
   std::vector<NamedSeries> curves;
   for (const ComparedMethod& method : comparedMethods()) {
     std::vector<Json> chosen;
     for (const Json& run : runs)
       if (run.value("method", "") == method.key && run.value("variation", "") == variation)
-        chosen.push_back(run);
+        chosen.push_back(missedAll(run) ? Json{{"errors", {{"curve", none_below}}}} : run);
     const std::vector<double> curve = meanCurve(chosen);
     if (!curve.empty()) curves.push_back({method.name, curve});
   }
@@ -68,13 +73,14 @@ std::string page(const Comparison& comparison, const std::vector<std::string>& c
       "100; of the rigid ones the vertex found is the one nearest to the moved point. Mapped: "
       "share of the true pairs that have a counterpart; without a truth, of the source's points. "
       "With misses: the error over all true pairs, one without a counterpart, or with more, "
-      "counting as 25, and a run that failed as well, or that refused what another method has an "
-      "answer to; it says which method is the best one. "
+      "counting as 25, and a run that failed or refused the pair as well; it says which method is "
+      "the best one. "
       "Below: share of the true pairs whose error is at most that share of the square root. "
       "Change: the largest change of a pair's error against the aligned source; inf: it had none "
       "there; failed: it has no answer any more. Side: whether the map is nearer to the truth or "
       "to the answer that takes left for right. Converged is what PCL says, of posture that it "
-      "calls the pair registered; came to nothing: failed, or not run. Seconds include reading "
+      "calls the pair registered; came to nothing: failed, refused or not run. Seconds include "
+      "reading "
       "(median) and memory is the largest of a process.\n";
   for (const std::string& variation : curved)
     page += "\n![Share of points with error below x, source " + variation + "](" +
@@ -103,10 +109,7 @@ Json writeComparison(const std::vector<Json>& runs,
   std::vector<std::string> curved;
   for (const std::string& variation : variations()) {
     const std::vector<NamedSeries> curves = curvesOf(runs, variation);
-    if (curves.empty()) {
-      std::filesystem::remove(folder / curveFile(variation));  // of a run before
-      continue;
-    }
+    if (curves.empty()) continue;
     writeText(folder / curveFile(variation), curvePlot(curves));
     curved.push_back(variation);
   }
@@ -115,6 +118,10 @@ Json writeComparison(const std::vector<Json>& runs,
             toCsv(tableOf(runs, {std::begin(COLUMNS), std::end(COLUMNS)})));
   writeText(folder / "comparison.json", documentText(summary));
   writeText(folder / "comparison.md", page(comparison, curved));
+  std::error_code ignored;  // the page names what belongs to it
+  for (const std::string& variation : variations())
+    if (std::find(curved.begin(), curved.end(), variation) == curved.end())
+      std::filesystem::remove(folder / curveFile(variation), ignored);  // of a run before
   return summary;
 }
 

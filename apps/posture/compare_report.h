@@ -19,7 +19,7 @@ struct Comparison {
 };
 
 /// \param runs  in the order of the tables.
-Comparison summarizeRuns(std::vector<Json> runs);
+Comparison summarizeRuns(const std::vector<Json>& runs);
 
 /// What writeComparison() may write.
 std::vector<std::string> comparisonFiles();

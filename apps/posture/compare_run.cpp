@@ -129,7 +129,12 @@ Json registerAndJudge(const ComparedRun& run) {
   const PairData data = readPair(run.pair);
   const VariedShape source = vary(data.source, run.variation);
   const auto start = std::chrono::steady_clock::now();
-  Outcome outcome = apply(run, source.shape, data.target);
+  Outcome outcome;
+  try {
+    outcome = apply(run, source.shape, data.target);
+  } catch (const InputError& error) {
+    return failedRun(describeRun(run), "refused", error.what());
+  }
   const double seconds = data.read_seconds + secondsSince(start);
   const double memory = peakMemoryMib();
   // A rigid motion stretches nothing.
@@ -196,6 +201,11 @@ Json runCompared(const ComparedRun& run) {
   } catch (const InputError& error) {
     return failedRun(describeRun(run), "not run", error.what());
   }
+}
+
+bool missedAll(const Json& result) {
+  const std::string status = textAt(result, "status");
+  return (status == "failed" || status == "refused") && !textAt(result, "truth").empty();
 }
 
 }  // namespace posture::app

@@ -30,7 +30,11 @@ struct ComparedRun {
 Json describeRun(const ComparedRun& run);
 ComparedRun comparedRun(const Json& described);
 
-/// Input that cannot be used ends in a result that says so.
+/// Files that cannot be used end in a result that says so, `not run`; what the method alone cannot
+/// work with as well, `refused`.
 Json runCompared(const ComparedRun& run);
+
+/// Of a pair with a truth: the run failed or was refused, and so missed all of it.
+bool missedAll(const Json& result);
 
 }  // namespace posture::app

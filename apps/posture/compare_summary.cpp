@@ -23,15 +23,9 @@ bool isKnown(double figure) { return std::isfinite(figure); }
 
 double errorOf(const Json& run) { return numberAt(run, "/errors/mean_x100"); }
 
-/// Set in a run that was not run where another method has an answer: files that cannot be read stop
-/// all methods, what one cannot work with is its own miss.
-constexpr char REFUSED[] = "refused";
-
-/// The figure that methods are ranked by. A run that failed on a pair with a truth, or refused it,
-/// missed all of it.
+/// The figure that methods are ranked by.
 double errorWithMisses(const Json& run) {
-  if ((textAt(run, "status") == "failed" || run.contains(REFUSED)) && !textAt(run, "truth").empty())
-    return 100 * curvePlaces().back();
+  if (missedAll(run)) return 100 * curvePlaces().back();
   return numberAt(run, "/errors/mean_with_misses_x100");
 }
 
@@ -88,6 +82,7 @@ std::string changeCell(const Runs& of_method, const Runs& runs) {
 
 /// Of the true pairs, or of the source's points where no truth is known.
 double shareMapped(const Json& run) {
+  if (missedAll(run)) return 0;
   if (run.contains("errors"))
     return numberAt(run, "/errors/mapped_pairs") / numberAt(run, "/errors/true_pairs");
   return numberAt(run, "/mapped") / numberAt(run, "/source_vertices");
@@ -108,16 +103,6 @@ std::string shareBelow(const Json& run, double place) {
 std::string side(const Json& run) {
   if (!run.contains("mirror")) return "-";
   return run["mirror"]["wrong_side"] == true ? "wrong" : "right";
-}
-
-void markRefusals(Runs& runs) {
-  for (Json& run : runs)
-    if (textAt(run, "status") == "not run" &&
-        std::any_of(runs.begin(), runs.end(), [&](const Json& other) {
-          return other.contains("errors") && textAt(other, "id") == textAt(run, "id") &&
-                 textAt(other, "variation") == textAt(run, "variation");
-        }))
-      run[REFUSED] = true;
 }
 
 /// Calls `row` with the runs of each method and variation, and with those of the method in all
@@ -194,7 +179,7 @@ TextTable listTable(const Runs& runs) {
                 can_converge ? std::to_string(countOf(chosen, {"converged", "registered"})) +
                                    " of " + std::to_string(chosen.size())
                              : "-",
-                std::to_string(countOf(chosen, {"failed", "not run"})),
+                std::to_string(countOf(chosen, {"failed", "refused", "not run"})),
                 formatFixed(percentile(figures(chosen, "/seconds"), 0.5), 1),
                 formatFixed(largest(figures(chosen, "/peak_memory_mib")), 0)});
     table.rows.push_back(row);
@@ -338,8 +323,7 @@ std::string bestOfList(const Runs& of_variation) {
 
 }  // namespace
 
-Comparison summarizeRuns(std::vector<Json> runs) {
-  markRefusals(runs);
+Comparison summarizeRuns(const std::vector<Json>& runs) {
   const bool single = valuesOf(runs, "id").size() == 1;
   Comparison comparison{single ? pairTable(runs) : listTable(runs), fitTable(runs), {}};
   for (const std::string& variation : variations()) {

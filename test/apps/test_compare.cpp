@@ -225,12 +225,12 @@ TEST_F(Compare, RefusingAPairThatOthersAnswerDoesNotWin) {
     storeError(pair, "icp", 1, 1);
   }
   storeError("rigid.aligned", "gicp", 0.5, 0.5);
-  store("bent.aligned", "gicp", {{"errors", nullptr}, {"status", "not run"}});
-  // What no method can read is nobody's miss.
+  store("bent.aligned", "gicp", {{"errors", nullptr}, {"status", "refused"}});
+  // What cannot be read is nobody's miss.
   store("missing.aligned", "icp", {{"errors", nullptr}, {"status", "not run"}});
   const std::string words = summary("list");
   EXPECT_THAT(words, ContainsRegex("aligned +ICP [^\n]* 1\\.00 +- "));
-  EXPECT_THAT(words, ContainsRegex("aligned +GICP [^\n]* 12\\.75 +- "));
+  EXPECT_THAT(words, ContainsRegex("aligned +GICP [^\n]* 50\\.0 % +12\\.75 +- "));
 }
 
 TEST_F(Compare, EqualMethodsShareThePlace) {
