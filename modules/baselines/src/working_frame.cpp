@@ -19,12 +19,10 @@ namespace {
 
 constexpr int FEWEST_POINTS = 10;
 
-std::vector<int> enoughRows(const Points& points) {
-  std::vector<int> rows = finiteRows(points);
+void requireEnough(const std::vector<int>& rows) {
   if (rows.size() < FEWEST_POINTS)
     throw InputError(std::to_string(rows.size()) + " points, expected " +
                      std::to_string(FEWEST_POINTS) + " or more");
-  return rows;
 }
 
 /// What holds the middle 98 % of the numbers, all but one a side of few.
@@ -46,13 +44,15 @@ Eigen::AlignedBox3d boxOf(const Points& points) {
 /// more cells than can be counted.
 std::vector<int> bodyRows(const Points& points) {
   constexpr double FAR = 10;
-  std::vector<int> rows = enoughRows(points);
+  std::vector<int> rows = finiteRows(points);
+  requireEnough(rows);
   const Eigen::AlignedBox3d box = boxOf(points(rows, Eigen::all));
   const double farthest = FAR * box.diagonal().norm();
   const auto isFar = [&](int row) {
     return (points.row(row).transpose() - box.center()).norm() > farthest;
   };
   if (farthest > 0) rows.erase(std::remove_if(rows.begin(), rows.end(), isFar), rows.end());
+  requireEnough(rows);
   return rows;
 }
 
