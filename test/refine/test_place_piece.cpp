@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -59,21 +58,24 @@ TEST(PlacePiece, ranksDifferentPlacesByMisfit) {
   EXPECT_GT(places[1].misfit, 0.01);
 }
 
-TEST(PlacePiece, allowsForTheSpacingOfFewSamples) {
-  // All of the whole's samples may be anchors; the piece's lie up to half a spacing from them.
+TEST(PlacePiece, ofFewSamplesAsWellNoTwoPlacesAreOne) {
+  // All of the whole's samples may be anchors: how close they are tells what is one place.
   const Points whole = lump().topRows(80);
+  const Matrix distances = test::pairwise(whole);
+  const double spacing = distances.row(79).head(79).minCoeff();
   const std::vector<int> part = partOf(whole, 0.4);
   ASSERT_GT(part.size(), 15);
-  Points moved = whole(part, Eigen::all);
-  for (Eigen::Index i = 0; i < moved.rows(); ++i)
-    moved.row(i) += 0.03 * Eigen::RowVector3d(std::cos(i), std::sin(2 * i), std::sin(i));
   const std::vector<PiecePlace> places =
-      placePiece(test::pairwise(moved), test::pairwise(whole), 3);
-  ASSERT_FALSE(places.empty());
-  double off = 0;
-  for (std::size_t i = 0; i < part.size(); ++i)
-    off += (whole.row(places[0].sample[i]) - whole.row(part[i])).norm();
-  EXPECT_LT(off / static_cast<double>(part.size()), 0.05);
+      placePiece(test::pairwise(whole(part, Eigen::all)), distances, 12);
+  ASSERT_GT(places.size(), 1);
+  EXPECT_EQ(places.front().sample, part);
+  for (std::size_t i = 1; i < places.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      double apart = 0;
+      for (std::size_t k = 0; k < part.size(); ++k)
+        apart += distances(places[i].sample[k], places[j].sample[k]);
+      EXPECT_GE(apart / static_cast<double>(part.size()), 2 * spacing) << i << " " << j;
+    }
 }
 
 TEST(PlacePiece, fitsNoLongLineIntoABall) {
