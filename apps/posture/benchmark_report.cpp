@@ -5,9 +5,7 @@
 #include "error_plots.h"
 #include "folder.h"
 #include "result_columns.h"
-#include <filesystem>
 #include <iterator>
-#include <system_error>
 
 namespace posture::app {
 namespace {
@@ -81,11 +79,10 @@ Json writeBenchmarkReport(const std::vector<Json>& results,
   writeText(folder / "RESULTS.md", benchmarkPage(results, families, trust, listed));
   writeText(folder / "curves.svg", curvePlot(seriesOf(families, "curve")));
   writeText(folder / "histogram.svg", histogramPlot(seriesOf(families, "edge_histogram")));
-  std::error_code ignored;  // the page names what belongs to it
   if (trust.isKnown())
     writeText(folder / "trust.svg", trustPlot(trust));
   else
-    std::filesystem::remove(folder / "trust.svg", ignored);  // of a run before
+    removeFrom(folder, "trust.svg");
   return summary;
 }
 

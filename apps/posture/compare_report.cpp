@@ -11,7 +11,6 @@
 #include "result_columns.h"
 #include <algorithm>
 #include <iterator>
-#include <system_error>
 
 namespace posture::app {
 namespace {
@@ -118,10 +117,9 @@ Json writeComparison(const std::vector<Json>& runs,
             toCsv(tableOf(runs, {std::begin(COLUMNS), std::end(COLUMNS)})));
   writeText(folder / "comparison.json", documentText(summary));
   writeText(folder / "comparison.md", page(comparison, curved));
-  std::error_code ignored;  // the page names what belongs to it
   for (const std::string& variation : variations())
     if (std::find(curved.begin(), curved.end(), variation) == curved.end())
-      std::filesystem::remove(folder / curveFile(variation), ignored);  // of a run before
+      removeFrom(folder, curveFile(variation));
   return summary;
 }
 

@@ -47,6 +47,13 @@ void requireNoInput(const std::filesystem::path& folder,
 
 void checkWritable(const std::filesystem::path& path) { const AtomicFile probe(path); }
 
+void removeFrom(const std::filesystem::path& folder, const std::filesystem::path& name) {
+  namespace fs = std::filesystem;
+  const fs::path path = folder / name;
+  std::error_code error;
+  if (fs::is_regular_file(path, error) && !fs::is_symlink(path, error)) fs::remove(path, error);
+}
+
 void writeText(const std::filesystem::path& path, const std::string& text) {
   writeFile(path, text);
 }

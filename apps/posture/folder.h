@@ -36,6 +36,10 @@ void requireNoInput(const std::filesystem::path& folder,
 /// \throws InputError  the file could not be written.
 void checkWritable(const std::filesystem::path& path);
 
+/// Takes a file of an earlier result out of its folder, but no link: what that points to is written
+/// to. What cannot be removed stays, to be written over, or for that to say why it cannot.
+void removeFrom(const std::filesystem::path& folder, const std::filesystem::path& name);
+
 /// Writes a whole text file or none.
 void writeText(const std::filesystem::path& path, const std::string& text);
 

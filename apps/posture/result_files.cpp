@@ -9,6 +9,7 @@
 #include <posture/io/shape_io.h>
 #include <posture/report/colors.h>
 
+#include "folder.h"
 #include <algorithm>
 #include <locale>
 #include <set>
@@ -54,15 +55,6 @@ bool isResultFile(const std::string& name) {
                                            "target_surface.ply"};
   return NAMES.count(name) > 0 || isSegmentFile(name) ||
          isNumbered(name, "alternative-", {".csv", "_target_colored.ply"});
-}
-
-/// Takes a file of an earlier result out of its folder; what cannot be removed is written over, or
-/// that fails and says why.
-void removeFrom(const fs::path& folder, const fs::path& name) {
-  const fs::path path = folder / name;
-  std::error_code error;
-  // What a link points to is written to, the link stays.
-  if (fs::is_regular_file(path, error) && !fs::is_symlink(path, error)) fs::remove(path, error);
 }
 
 using IsName = bool (*)(const std::string&);

@@ -111,11 +111,11 @@ void synthesize(const SynthesizeOptions& options, const Common& common) {
   const OutputFolder folder(options.folder);
   // What cannot be made takes nothing of a run before away.
   const SynthesizedShape reference = makeShape(options, 0);
-  fs::remove(options.folder / "bones.json");
+  removeFrom(options.folder, "bones.json");
   PairList list(options.folder, options.scan);
   Json shapes = Json::array(), pairs = Json::array(), bones = Json::object();
   const auto write = [&](const SynthesizedShape& shape) {
-    removeFilesOf(options.folder, shape);
+    removeOtherFilesOf(options.folder, shape);
     shapes.push_back(writeShape(options.folder, shape, common.quiet));
     if (options.scan) return;  // a scan has a frame and unit of its own
     writeBones(options.folder / shape.bonesFile(), shape.body);

@@ -46,7 +46,7 @@ std::vector<VertexPair> surfaceVertices(const SimulatedScan& scan) {
 
 PairList::PairList(std::filesystem::path folder, bool scans)
     : folder_(std::move(folder)), scans_(scans) {
-  fs::remove(folder_ / "pairs.csv");
+  removeFrom(folder_, "pairs.csv");
 }
 
 Json PairList::add(const std::string& family,
@@ -101,10 +101,10 @@ Json PairList::add(const std::vector<std::string>& fields,
   return {{"id", id}, {"truth", file}, {"mirror_truth", mirror_file}, {"true_pairs", truth.size()}};
 }
 
-void removeFilesOf(const fs::path& folder, const SynthesizedShape& shape) {
-  for (const std::string& file :
-       {shape.meshFile(), shape.bonesFile(), shape.scanFile(), shape.scanSurfaceFile()})
-    fs::remove(folder / file);
+void removeOtherFilesOf(const fs::path& folder, const SynthesizedShape& shape) {
+  const auto others = shape.scan ? std::vector{shape.bonesFile()}
+                                 : std::vector{shape.scanFile(), shape.scanSurfaceFile()};
+  for (const std::string& file : others) removeFrom(folder, file);
 }
 
 Json writeShape(const fs::path& folder, const SynthesizedShape& shape, bool quiet) {

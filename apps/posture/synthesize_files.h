@@ -28,8 +28,9 @@ struct SynthesizedShape {
   std::string scanSurfaceFile() const { return name + "-scan-surface.txt"; }
 };
 
-/// Removes what a run before may have written of a shape of this name: not all kinds have all.
-void removeFilesOf(const std::filesystem::path& folder, const SynthesizedShape& shape);
+/// Removes what a run before may have written of a shape of this name and this one does not write:
+/// scans have no bones, and others no scan.
+void removeOtherFilesOf(const std::filesystem::path& folder, const SynthesizedShape& shape);
 
 /// Writes the shape, and with it its scan; returns what was written as JSON.
 Json writeShape(const std::filesystem::path& folder, const SynthesizedShape& shape, bool quiet);

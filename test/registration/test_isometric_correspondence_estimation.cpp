@@ -193,6 +193,8 @@ TEST(IsometricCorrespondenceEstimation, aCloudThatHasLostPointsIsRegisteredAnew)
   ASSERT_FALSE(matches.empty());
   target->resize(target->size() / 2);
   estimation.determineCorrespondences(matches);
+  EXPECT_GT(estimation.getResult().target.vertices, 0);
+  EXPECT_LE(estimation.getResult().target.vertices, static_cast<int>(target->size()));
   for (const pcl::Correspondence& match : matches)
     ASSERT_LT(match.index_match, static_cast<int>(target->size()));
 }

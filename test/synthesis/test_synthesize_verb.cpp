@@ -269,6 +269,11 @@ TEST(SynthesizeVerb, LeavesNothingOfAnotherRunBesideAShape) {
       ElementsAre(
           "quadruped-pose5-scan-surface.txt", "quadruped-pose5-scan.pcd", "quadruped-pose5.ply"));
   EXPECT_EQ(run({}), meshes);
+  // A link stays one, and is written through.
+  std::filesystem::rename(folder / "quadruped-pose5.ply", folder / "elsewhere.ply");
+  std::filesystem::create_symlink("elsewhere.ply", folder / "quadruped-pose5.ply");
+  run({});
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "quadruped-pose5.ply"));
 }
 
 TEST(SynthesizeVerb, WhatCannotBeMadeTakesNothingAway) {

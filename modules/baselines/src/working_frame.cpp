@@ -40,8 +40,8 @@ Eigen::AlignedBox3d boxOf(const Points& points) {
   return box;
 }
 
-/// Finite points but for those more than ten sizes off: PCL's grids would span these, too, and have
-/// more cells than can be counted.
+/// Finite points but for those more than ten sizes off: PCL's grids would span these, too, and from
+/// 26 sizes on, with cells of a fiftieth, have more cells than it can count.
 std::vector<int> bodyRows(const Points& points) {
   constexpr double FAR = 10;
   std::vector<int> rows = finiteRows(points);

@@ -23,10 +23,10 @@ class WorkingFrame {
  public:
   /// \param size  the diagonal of the box that holds the middle 98 % of the target's points along
   ///        each axis: outliers do not count.
-  /// \throws InputError  fewer than 10 finite points, or all at one place.
+  /// \throws InputError  fewer than 10 finite points, far ones aside, or all at one place.
   WorkingFrame(const Points& target, double size);
 
-  /// \throws InputError  fewer than 10 finite points.
+  /// \throws InputError  fewer than 10 finite points, far ones aside.
   LocalCloud local(const PointCloud& cloud) const;
 
   /// A motion found in this frame as one in the frame of the clouds.
