@@ -7,7 +7,12 @@
 #include "io/encode.h"
 #include "support/files.h"
 #include "support/shapes.h"
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -43,9 +48,73 @@ const Points up_normals = points({{0, 0, 1}, {0, 0, 1}, {0, 0, 1}});
 const Colors red_green_blue = colors({{255, 0, 0}, {0, 255, 0}, {0, 0, 255}});
 const std::string four_vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-TEST(Obj, polygonsAreCutIntoFansAndSmallOnesSkipped) {
-  const MeshFile file = parse(".obj", four_vertices + "v 0 2 0\nf 1 2 3 4 5\nf 1 2\nf 3 4 5\n");
-  EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {2, 3, 4}}));
+TEST(Obj, polygonsAreCutAndSmallOnesSkipped) {
+  const MeshFile file = parse(".obj", four_vertices + "v -1 1 0\nf 1 2 3 4\nf 1 2\nf 1 4 5\n");
+  EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
+}
+
+/// A polygon, laid into the plane x + y + z = 0, and what it is cut into, as areas with a sign.
+struct CutPolygon {
+  explicit CutPolygon(const std::vector<Eigen::Vector2d>& corners) {
+    std::ostringstream text;
+    text.precision(17);
+    std::string face = "f";
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Eigen::Vector2d &a = corners[i], &b = corners[(i + 1) % corners.size()];
+      area += (a.x() * b.y() - a.y() * b.x()) / 2;
+      const Eigen::Vector3d p = a.x() * Eigen::Vector3d(1, -1, 0).normalized() +
+                                a.y() * Eigen::Vector3d(1, 1, -2).normalized();
+      text << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+      face += " " + std::to_string(i + 1);
+    }
+    const Faces triangles = parse(".obj", text.str() + face + "\n").mesh.faces;
+    std::vector<int> of_corner(corners.size(), 0);
+    for (const auto& t : triangles.rowwise()) {
+      const Eigen::Vector2d ab = corners[t[1]] - corners[t[0]], ac = corners[t[2]] - corners[t[0]];
+      const double part = (ab.x() * ac.y() - ab.y() * ac.x()) / 2;
+      least = std::min(least, part);
+      sum += part;
+      for (int v : t) most = std::max(most, ++of_corner[v]);
+    }
+    count = static_cast<int>(triangles.rows());
+  }
+
+  double area = 0, sum = 0, least = 1e9;
+  int count = 0, most = 0;  // triangles, and those at one corner
+};
+
+TEST(Obj, concavePolygonsAreCutWithin) {
+  // A U, an arrow head from each of its corners, and a square with a square hole, bridged.
+  const std::vector<std::vector<Eigen::Vector2d>> shapes{
+      {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}},
+      {{0, 0}, {2, -1}, {0, 3}, {-2, -1}},
+      {{2, -1}, {0, 3}, {-2, -1}, {0, 0}},
+      {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}}};
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+    for (std::size_t from = 0; from < shapes[k].size(); ++from) {
+      std::vector<Eigen::Vector2d> corners = shapes[k];
+      std::rotate(
+          corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(from), corners.end());
+      const CutPolygon cut(corners);
+      EXPECT_EQ(cut.count, static_cast<int>(corners.size()) - 2);
+      EXPECT_NEAR(cut.sum, cut.area, 1e-9) << k << " from " << from;
+      EXPECT_GT(cut.least, -1e-9) << k << " from " << from;
+    }
+}
+
+TEST(Obj, noCornerOfALargePolygonGetsManyTriangles) {
+  std::vector<Eigen::Vector2d> corners;
+  for (int i = 0; i < 1000; ++i)
+    corners.emplace_back(std::cos(2 * M_PI * i / 1000), std::sin(2 * M_PI * i / 1000));
+  const CutPolygon cut(corners);
+  EXPECT_NEAR(cut.sum, cut.area, 1e-9);
+  EXPECT_LE(cut.most, 22) << "two for each time that the corners are halved";
+}
+
+TEST(Obj, polygonsWithoutAreaAreCutAsWell) {
+  EXPECT_EQ(CutPolygon({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {1.5, 0}}).count, 3);
+  EXPECT_EQ(CutPolygon({{1, 1}, {1, 1}, {1, 1}, {1, 1}}).count, 2);
+  EXPECT_EQ(CutPolygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}).count, 2) << "crosses itself";
 }
 
 TEST(Obj, negativeIndicesCountBackFromWhereTheyStand) {

@@ -3,6 +3,7 @@
 #include "mesh_builder.h"
 
 #include "color_byte.h"
+#include "cut_polygon.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,8 +61,21 @@ void MeshBuilder::addTriangle(std::int64_t a, std::int64_t b, std::int64_t c) {
 
 void MeshBuilder::addPolygon(const std::vector<std::int64_t>& corners) {
   for (const std::int64_t corner : corners) checkCorner(corner);
+  if (corners.size() > 3)
+    polygons_.emplace_back(corners_.size() / 3, static_cast<int>(corners.size()) - 2);
   for (std::size_t i = 2; i < corners.size(); ++i)
     addTriangle(corners[0], corners[i - 1], corners[i]);
+}
+
+void MeshBuilder::cutPolygons(const Points& vertices) {
+  for (const auto& [first, count] : polygons_) {
+    const auto begin = corners_.begin() + static_cast<std::ptrdiff_t>(3 * first);
+    std::vector<int> polygon{begin[0], begin[1]};
+    for (int i = 0; i < count; ++i) polygon.push_back(begin[3 * i + 2]);
+    auto at = begin;
+    for (const std::array<int, 3>& triangle : cutPolygon(vertices(polygon, Eigen::all)))
+      for (int corner : triangle) *at++ = polygon[corner];
+  }
 }
 
 void MeshBuilder::addStrip(const std::vector<std::int64_t>& corners) {
@@ -96,6 +110,7 @@ MeshFile MeshBuilder::finish(ColorRange range) {
   const bool is_cloud = unseen_ == Unseen::KEPT_IN_CLOUDS && corners_.empty();
   MeshFile file;
   file.mesh.vertices = toPoints(coordinates_);
+  cutPolygons(file.mesh.vertices);
   file.mesh.faces =
       Eigen::Map<const Faces>(corners_.data(), static_cast<Eigen::Index>(corners_.size() / 3), 3);
   if (normals_.size() == coordinates_.size() && (is_cloud || allFinite(normals_)))

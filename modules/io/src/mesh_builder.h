@@ -37,7 +37,8 @@ class MeshBuilder {
   /// Normals for all vertices at once.
   void setNormals(std::vector<double> normals) { normals_ = std::move(normals); }
 
-  /// Vertex numbers from 0, cut into a fan; fewer than three corners are skipped.
+  /// Vertex numbers from 0, cut into triangles (cutPolygon()); fewer than three corners are
+  /// skipped.
   void addPolygon(const std::vector<std::int64_t>& corners);
   /// Each corner makes a triangle with the two before it; -1 begins another strip.
   void addStrip(const std::vector<std::int64_t>& corners);
@@ -51,6 +52,8 @@ class MeshBuilder {
   void checkCorner(std::int64_t corner);
   void addTriangle(std::int64_t a, std::int64_t b, std::int64_t c);
   void checkHighestCorner() const;
+  /// Once all vertices are known.
+  void cutPolygons(const Points& vertices);
   [[noreturn]] void failUnseen(std::size_t vertex, std::size_t offset) const;
 
   const Input& input_;
@@ -59,6 +62,8 @@ class MeshBuilder {
   std::size_t offset_ = NO_OFFSET;
   std::vector<double> coordinates_, normals_, colors_;
   std::vector<int> corners_;
+  /// Polygons of more than three corners: their first triangle, and how many; fans so far.
+  std::vector<std::pair<std::size_t, int>> polygons_;
   std::optional<std::pair<std::size_t, std::size_t>> first_unseen_;  // vertex, offset
   std::int64_t highest_corner_ = -1;
   std::size_t highest_corner_offset_ = NO_OFFSET;

@@ -8,7 +8,8 @@
 
 namespace posture {
 
-/// A mesh as its file has it: every vertex, in order, referenced or not; polygons cut into fans.
+/// A mesh as its file has it: every vertex, in order, referenced or not; polygons cut into
+/// triangles, concave ones too.
 struct MeshFile {
   TriangleMesh mesh;
   Points normals;  ///< n x 3, or 0 x 3 where the file has none for every vertex
