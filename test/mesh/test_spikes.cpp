@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/rng.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/spikes.h>
 
@@ -75,12 +76,52 @@ TEST_F(Spikes, areSetBackAndNothingElseMoves) {
   EXPECT_EQ(spiky_.faces, sphere_.faces);
 }
 
+TEST_F(Spikes, cornersOfNeedlesAreNone) {
+  // The corner of a sheet, two of its three neighbours close together.
+  TriangleMesh sheet{Points(6, 3), Faces(4, 3)};
+  sheet.vertices << 0, 0, 0, 1, 0, 0, 1, 0.15, 0, 0, 1, 0, 2, 0.1, 0, 1, 1, 0;
+  sheet.faces << 0, 1, 2, 0, 2, 3, 1, 4, 2, 2, 5, 3;
+  EXPECT_EQ(setSpikesBack(sheet), 0);
+  // A fan from the far corner of a plate to the vertices of a small hole.
+  constexpr int AROUND = 12;
+  TriangleMesh plate{Points(2 * AROUND + 1, 3), Faces(3 * AROUND - 3, 3)};
+  const auto ring = [&](int i, double height, int row) {
+    const double angle = M_PI / 2 * i / (AROUND - 1);
+    plate.vertices.row(row) << 5 * std::cos(angle), 5 * std::sin(angle), height;
+  };
+  for (int i = 0; i < AROUND; ++i) {
+    ring(i, 0, i);
+    ring(i, -50, AROUND + i);
+  }
+  plate.vertices.row(2 * AROUND) << 60, 60, 0;
+  for (int i = 0; i + 1 < AROUND; ++i) {
+    plate.faces.row(3 * i) << i, 2 * AROUND, i + 1;
+    plate.faces.row(3 * i + 1) << i, i + 1, AROUND + i;
+    plate.faces.row(3 * i + 2) << i + 1, AROUND + i + 1, AROUND + i;
+  }
+  EXPECT_EQ(setSpikesBack(plate), 0);
+}
+
 TEST_F(Spikes, besideEachOther) {
   const int a = sphere_.faces(100, 0), b = sphere_.faces(100, 1);
   throwOut(a, {20, 0, 3});
   throwOut(b, {-3, 40, 0});
   EXPECT_EQ(setSpikesBack(spiky_), 2);
   for (int v : {a, b}) EXPECT_LT((spiky_.vertices.row(v) - sphere_.vertices.row(v)).norm(), edge_);
+}
+
+TEST_F(Spikes, oneBetweenSpikesIsToldOnceTheyAreBack) {
+  std::vector<int> out;
+  Rng rng(1);
+  for (int v = 0; v < sphere_.vertices.rows(); ++v)
+    if (rng.uniform() < 0.10) out.push_back(v);
+  for (int v : out) {
+    const double x = rng.normal(), y = rng.normal(), z = rng.normal();
+    throwOut(v, 20 * Eigen::RowVector3d(x, y, z).normalized());
+  }
+  EXPECT_EQ(setSpikesBack(spiky_), static_cast<int>(out.size()));
+  for (int v : out)
+    EXPECT_LT((spiky_.vertices.row(v) - sphere_.vertices.row(v)).norm(), 2 * edge_) << v;
 }
 
 TEST_F(Spikes, ofFacetsThatShareNoVertices) {

@@ -6,6 +6,7 @@
 #include <posture/mesh/weld.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -49,6 +50,18 @@ Eigen::RowVector3d geometricMedian(const Points& vertices, const int* begin, con
   return origin + size * median;
 }
 
+/// Of the edges of the neighbours but those to the vertex.
+double typicalEdgeAround(const Points& vertices, const VertexNeighbors& neighbors, int v) {
+  std::vector<double> typical;
+  for (const int* w = neighbors.begin(v); w != neighbors.end(v); ++w) {
+    std::vector<double> lengths;
+    for (const int* u = neighbors.begin(*w); u != neighbors.end(*w); ++u)
+      if (*u != v) lengths.push_back((vertices.row(*u) - vertices.row(*w)).norm());
+    if (!lengths.empty()) typical.push_back(median(std::move(lengths)));
+  }
+  return typical.empty() ? std::numeric_limits<double>::infinity() : lowerMedian(typical);
+}
+
 /// Medians, so that neighbours that are spikes do not count.
 bool isSpike(const Points& vertices, const VertexNeighbors& neighbors, int v) {
   const int *begin = neighbors.begin(v), *end = neighbors.end(v);
@@ -60,7 +73,41 @@ bool isSpike(const Points& vertices, const VertexNeighbors& neighbors, int v) {
     values[w - begin] = (vertices.row(*w) - middle).norm();
     nearest = std::min(nearest, (vertices.row(*w) - vertices.row(v)).norm());
   }
-  return nearest > FAR * lowerMedian(values);
+  // Where faces are needles, two neighbours may be close together by chance.
+  return nearest > FAR * lowerMedian(values) &&
+         nearest > FAR * typicalEdgeAround(vertices, neighbors, v);
+}
+
+/// Vertices with the spikes among them set back, from the good ones inwards where spikes are next
+/// to each other. \param left  how many stay where they are, among spikes alone.
+Points withSetBack(Points vertices,
+                   const VertexNeighbors& neighbors,
+                   std::vector<char> astray,
+                   int& left) {
+  std::vector<int> spikes;
+  for (int v = 0; v < vertices.rows(); ++v)
+    if (astray[v] != 0) spikes.push_back(v);
+  for (std::size_t before = spikes.size() + 1; spikes.size() < before;) {
+    before = spikes.size();
+    std::vector<std::pair<int, Eigen::RowVector3d>> back;
+    for (int v : spikes) {
+      // The median, as one among them may be a spike that is not told yet.
+      std::vector<int> good;
+      std::copy_if(neighbors.begin(v), neighbors.end(v), std::back_inserter(good), [&](int w) {
+        return astray[w] == 0;
+      });
+      if (!good.empty())
+        back.emplace_back(v, geometricMedian(vertices, good.data(), good.data() + good.size()));
+    }
+    for (const auto& [v, at] : back) {
+      vertices.row(v) = at;
+      astray[v] = 0;
+    }
+    spikes.erase(std::remove_if(spikes.begin(), spikes.end(), [&](int v) { return !astray[v]; }),
+                 spikes.end());
+  }
+  left = static_cast<int>(spikes.size());
+  return vertices;
 }
 
 }  // namespace
@@ -69,38 +116,23 @@ int setSpikesBack(TriangleMesh& mesh) {
   const int n = static_cast<int>(mesh.vertices.rows());
   const std::vector<int> place = weld(mesh.vertices);
   const VertexNeighbors neighbors(weldedFaces(mesh.faces, place), n);
-  std::vector<int> spikes;
-  std::vector<char> astray(n, 0);
-  for (int v = 0; v < n; ++v)
-    if (isSpike(mesh.vertices, neighbors, v)) {
-      spikes.push_back(v);
-      astray[v] = 1;
-    }
-  if (spikes.empty()) return 0;
-  // From the good ones inwards, where spikes are next to each other.
-  std::vector<int> left = spikes;
-  for (std::size_t before = left.size() + 1; left.size() < before;) {
-    before = left.size();
-    std::vector<std::pair<int, Eigen::RowVector3d>> back;
-    for (int v : left) {
-      Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-      int count = 0;
-      for (const int* w = neighbors.begin(v); w != neighbors.end(v); ++w)
-        if (!astray[*w]) {
-          sum += mesh.vertices.row(*w);
-          ++count;
-        }
-      if (count > 0) back.emplace_back(v, sum / count);
-    }
-    for (const auto& [v, at] : back) {
-      mesh.vertices.row(v) = at;
-      astray[v] = 0;
-    }
-    left.erase(std::remove_if(left.begin(), left.end(), [&](int v) { return !astray[v]; }),
-               left.end());
+  // Where many neighbours are spikes as well one is told only when these are back.
+  constexpr int MOST_ROUNDS = 10;
+  Points vertices = mesh.vertices;
+  std::vector<char> is_spike(n, 0);
+  int spikes = 0, left = 0;
+  for (int round = 0; round < MOST_ROUNDS; ++round) {
+    const int before = spikes;
+    for (int v = 0; v < n; ++v)
+      if (is_spike[v] == 0 && isSpike(vertices, neighbors, v)) {
+        is_spike[v] = 1;
+        ++spikes;
+      }
+    if (spikes == before) break;
+    vertices = withSetBack(mesh.vertices, neighbors, is_spike, left);
   }
-  for (int v = 0; v < n; ++v) mesh.vertices.row(v) = mesh.vertices.row(place[v]);
-  return static_cast<int>(spikes.size() - left.size());
+  if (spikes > 0) mesh.vertices = vertices(place, Eigen::all);
+  return spikes - left;
 }
 
 }  // namespace posture
