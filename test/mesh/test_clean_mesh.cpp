@@ -343,6 +343,28 @@ TEST(CornerPlaces, countsAPlaceOnceHoweverOftenTheFileHasIt) {
   more.vertices.bottomRows(2) << 5, 5, 5, 6, 6, 6;
   more.faces(0, 0) = n + 1;
   EXPECT_EQ(cornerPlaces(more, n + 1), n);
+  more.faces.row(1).setConstant(n);  // no face any more
+  EXPECT_EQ(cornerPlaces(more, n + 1), n);
+}
+
+TEST(CleanMesh, facesOfAPieceAreTurnedAsThePieceIsOriented) {
+  TriangleMesh small = test::sphere(2);
+  small.vertices *= 0.4;
+  TriangleMesh mixed = together(test::sphere(2), small, {5, 0, 0});
+  const auto n = small.faces.rows();
+  // The piece is inside out, but for some faces; the main surface has a face turned, too.
+  for (Eigen::Index f = n; f < 2 * n; ++f)
+    if (f % 7 != 0) mixed.faces.row(f).reverseInPlace();
+  mixed.faces.row(3).reverseInPlace();
+  CleanMesh clean = cleanMesh(mixed);
+  const double all = volume(test::sphere(2)) + volume(small);
+  EXPECT_NEAR(volume({mixed.vertices, facedAlike(mixed.faces, clean)}), all, 1e-9);
+  for (Eigen::Index f = n; f < 2 * n; ++f) EXPECT_EQ(clean.face_turned[f], f % 7 != 0) << f;
+  // A closed piece tells its outside itself.
+  turnOver(clean);
+  EXPECT_NEAR(volume({mixed.vertices, facedAlike(mixed.faces, clean)}),
+              volume(small) - volume(test::sphere(2)),
+              1e-9);
 }
 
 TEST(CleanMesh, aSeamTooFineForSinglePrecisionIsOffTheMainSurface) {

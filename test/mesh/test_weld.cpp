@@ -21,11 +21,23 @@ TEST(Weld, eachVertexHasTheFirstAtItsVeryPlace) {
 }
 
 TEST(WeldedFaces, areBetweenFirstVerticesAndNoneHasOneTwice) {
-  Faces faces(4, 3);
-  faces << 4, 3, 2, 0, 2, 1, 5, 4, 1, 3, 1, 4;
-  Faces expected(2, 3);
-  expected << 4, 1, 0, 0, 4, 1;
+  Faces faces(3, 3);
+  faces << 4, 3, 2, 0, 2, 1, 3, 1, 4;
+  Faces expected(1, 3);
+  expected << 4, 1, 0;
   EXPECT_EQ(weldedFaces(faces, weld(places())), expected);
+}
+
+TEST(WeldedFaces, ofSeveralBetweenTheSameCornersTheFirstStays) {
+  Faces faces(5, 3);
+  faces << 0, 2, 1, 1, 4, 0, 5, 4, 1, 4, 3, 2, 3, 1, 0;
+  Faces expected(1, 3);
+  expected << 1, 4, 0;
+  const WeldedFaces welded = weldFaces(faces, weld(places()));
+  EXPECT_EQ(welded.faces, expected);
+  EXPECT_EQ(welded.input_face, (std::vector<int>{1}));
+  EXPECT_EQ(welded.degenerate, 2);
+  EXPECT_EQ(welded.repeated, 2);
 }
 
 }  // namespace

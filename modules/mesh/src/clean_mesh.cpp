@@ -12,67 +12,47 @@
 
 #include "orient_faces.h"
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <set>
 #include <utility>
 
 namespace posture {
 namespace {
 
-/// Faces between the vertices that stay, and which faces of the input they were.
-struct UsableFaces {
-  std::vector<Eigen::Vector3i> corners;
-  std::vector<int> input_face;
-};
-
-UsableFaces usableFaces(const Faces& faces,
-                        const std::vector<int>& representative,
-                        CleaningSummary& summary) {
-  UsableFaces usable;
-  std::set<std::array<int, 3>> seen;
-  for (int f = 0; f < faces.rows(); ++f) {
-    const Eigen::Vector3i t(
-        representative[faces(f, 0)], representative[faces(f, 1)], representative[faces(f, 2)]);
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
-      ++summary.degenerate_faces;
-      continue;
-    }
-    std::array<int, 3> corners{t[0], t[1], t[2]};
-    std::sort(corners.begin(), corners.end());
-    if (!seen.insert(corners).second) {
-      ++summary.repeated_faces;
-      continue;
-    }
-    usable.corners.push_back(t);
-    usable.input_face.push_back(f);
-  }
-  return usable;
-}
-
-Faces toFaces(const std::vector<Eigen::Vector3i>& triangles) {
-  Faces faces(triangles.size(), 3);
-  for (std::size_t f = 0; f < triangles.size(); ++f) faces.row(f) = triangles[f];
-  return faces;
-}
-
 /// Of the main surface's area: less is a crumb.
 constexpr double LEAST_PIECE = 0.01;
 
+/// Orients the pieces, each by itself, and notes whose faces were turned for it.
+/// \param given  as `clean.face_turned` says so far.
+void turnPieces(const Faces& given, CleanMesh& clean) {
+  orientPieces(clean.pieces);
+  for (std::size_t f = 0; f < clean.piece_face.size(); ++f) {
+    const auto row = static_cast<Eigen::Index>(f);
+    if (clean.pieces.faces.row(row) != given.row(row)) {
+      char& turned = clean.face_turned[clean.piece_face[f]];
+      turned = static_cast<char>(turned == 0);
+    }
+  }
+}
+
 /// Puts the parts other than the main one that are no crumbs into `clean.pieces`.
-void keepPieces(const TriangleMesh& welded, const ConnectedParts& parts, CleanMesh& clean) {
+void keepPieces(const TriangleMesh& welded,
+                const std::vector<int>& input_face,
+                const ConnectedParts& parts,
+                CleanMesh& clean) {
   std::vector<int> kept;
   for (int f = 0; f < welded.faces.rows(); ++f) {
     const int part = parts.of_face[f];
-    if (part != parts.largest && parts.area[part] >= LEAST_PIECE * parts.area[parts.largest])
-      kept.push_back(f);
+    if (part == parts.largest || parts.area[part] < LEAST_PIECE * parts.area[parts.largest])
+      continue;
+    kept.push_back(f);
+    clean.piece_face.push_back(input_face[f]);
   }
   clean.pieces.faces = welded.faces(kept, Eigen::all);
   clean.piece_vertex =
       compactVerticesByUse(clean.pieces.faces, static_cast<int>(welded.vertices.rows()));
   clean.pieces.vertices = welded.vertices(clean.piece_vertex, Eigen::all);
   if (clean.inside_out) clean.pieces.faces.col(1).swap(clean.pieces.faces.col(2));
-  orientPieces(clean.pieces);
+  turnPieces(Faces(clean.pieces.faces), clean);
 }
 
 /// Not norm(), whose squares may vanish.
@@ -149,8 +129,10 @@ CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
   const std::vector<int> representative = weld(input.vertices);
   for (int v = 0; v < n; ++v) summary.welded_vertices += representative[v] != v;
 
-  const UsableFaces usable = usableFaces(input.faces, representative, summary);
-  const TriangleMesh welded{input.vertices, toFaces(usable.corners)};
+  const WeldedFaces usable = weldFaces(input.faces, representative);
+  summary.degenerate_faces = usable.degenerate;
+  summary.repeated_faces = usable.repeated;
+  const TriangleMesh welded{input.vertices, usable.faces};
   if (welded.faces.rows() == 0) throw InputError("has no face with three different corners");
   const ConnectedParts parts = connectedParts(welded);
   summary.components = static_cast<int>(parts.area.size());
@@ -173,16 +155,16 @@ CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
   faceAlike(input.faces, input_face, facing, clean);
   for (const Edge& e : meshEdges(clean.mesh.faces)) summary.non_manifold_edges += e.faces > 2;
   attachLooseVertices(input.vertices, clean);
-  keepPieces(welded, parts, clean);
+  keepPieces(welded, usable.input_face, parts, clean);
   return clean;
 }
 
 void turnOver(CleanMesh& clean) {
   for (TriangleMesh* mesh : {&clean.mesh, &clean.pieces})
     mesh->faces.col(1).swap(mesh->faces.col(2));
-  orientPieces(clean.pieces);
-  clean.inside_out = !clean.inside_out;
   for (char& turned : clean.face_turned) turned = static_cast<char>(turned == 0);
+  turnPieces(Faces(clean.pieces.faces), clean);
+  clean.inside_out = !clean.inside_out;
   clean.summary.flipped_faces =
       static_cast<int>(clean.mesh.faces.rows()) - clean.summary.flipped_faces;
 }
@@ -197,11 +179,10 @@ Faces facedAlike(const Faces& input, const CleanMesh& clean) {
 }
 
 int cornerPlaces(const TriangleMesh& mesh, int vertices) {
-  const std::vector<int> first = weld(mesh.vertices.topRows(vertices));
-  std::vector<char> is_corner(vertices, 0);
-  for (int v : mesh.faces.reshaped())
-    if (v < vertices) is_corner[first[v]] = 1;
-  return static_cast<int>(std::count(is_corner.begin(), is_corner.end(), 1));
+  const auto n = static_cast<int>(mesh.vertices.rows());
+  const std::vector<char> is_corner =
+      cornersOfFaces(weldedFaces(mesh.faces, weld(mesh.vertices)), n);
+  return static_cast<int>(std::count(is_corner.begin(), is_corner.begin() + vertices, 1));
 }
 
 }  // namespace posture

@@ -115,6 +115,14 @@ double surfaceArea(const TriangleMesh& mesh) { return faceAreas(mesh).sum(); }
 
 double rootArea(const TriangleMesh& mesh) { return std::sqrt(surfaceArea(mesh)); }
 
+std::vector<char> cornersOfFaces(const Faces& faces, int vertex_count) {
+  std::vector<char> is_corner(vertex_count, 0);
+  for (const auto& face : faces.rowwise())
+    if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0])
+      for (int v : face) is_corner[v] = 1;
+  return is_corner;
+}
+
 std::vector<int> faceOfEachVertex(const Faces& faces, int vertex_count) {
   std::vector<int> face_of(vertex_count, -1);
   for (int f = static_cast<int>(faces.rows()) - 1; f >= 0; --f)

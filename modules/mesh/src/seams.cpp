@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -21,20 +20,6 @@ namespace {
 /// Of the shortest edge at a vertex, and of a typical one at the rims: far more than single
 /// precision leaves of meshes of a million vertices, far less than there is between vertices.
 constexpr double ROUNDING = 0.01;
-
-/// Without those between the same corners as an earlier one.
-Faces different(const Faces& faces) {
-  std::set<std::array<int, 3>> seen;
-  Faces kept(faces.rows(), 3);
-  Eigen::Index count = 0;
-  for (const auto& face : faces.rowwise()) {
-    std::array<int, 3> corners{face[0], face[1], face[2]};
-    std::sort(corners.begin(), corners.end());
-    if (seen.insert(corners).second) kept.row(count++) = face;
-  }
-  kept.conservativeResize(count, 3);
-  return kept;
-}
 
 /// The first of the points it was given before that is nearer than what each of the two asks.
 class FirstNear {
@@ -84,7 +69,7 @@ class FirstNear {
 int closeSeams(TriangleMesh& mesh) {
   const Points& vertices = mesh.vertices;
   const std::vector<int> first = weld(vertices);
-  const std::vector<Edge> edges = meshEdges(different(weldedFaces(mesh.faces, first)));
+  const std::vector<Edge> edges = meshEdges(weldedFaces(mesh.faces, first));
   const auto length = [&](const Edge& e) {
     return (vertices.row(e.first) - vertices.row(e.second)).norm();
   };

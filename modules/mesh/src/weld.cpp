@@ -4,8 +4,10 @@
 
 #include <boost/container_hash/hash.hpp>
 
+#include <algorithm>
 #include <array>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace posture {
 
@@ -22,15 +24,33 @@ std::vector<int> weld(const Points& vertices) {
   return representative;
 }
 
-Faces weldedFaces(const Faces& faces, const std::vector<int>& first) {
-  Faces welded(faces.rows(), 3);
-  Eigen::Index count = 0;
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+WeldedFaces weldFaces(const Faces& faces, const std::vector<int>& first) {
+  using Corners = std::array<int, 3>;
+  std::unordered_set<Corners, boost::hash<Corners>> seen;
+  seen.reserve(faces.rows());
+  WeldedFaces welded;
+  welded.faces.resize(faces.rows(), 3);
+  for (int f = 0; f < faces.rows(); ++f) {
     const int a = first[faces(f, 0)], b = first[faces(f, 1)], c = first[faces(f, 2)];
-    if (a != b && b != c && c != a) welded.row(count++) << a, b, c;
+    if (a == b || b == c || c == a) {
+      ++welded.degenerate;
+      continue;
+    }
+    Corners corners{a, b, c};
+    std::sort(corners.begin(), corners.end());
+    if (!seen.insert(corners).second) {
+      ++welded.repeated;
+      continue;
+    }
+    welded.faces.row(static_cast<Eigen::Index>(welded.input_face.size())) << a, b, c;
+    welded.input_face.push_back(f);
   }
-  welded.conservativeResize(count, 3);
+  welded.faces.conservativeResize(static_cast<Eigen::Index>(welded.input_face.size()), 3);
   return welded;
+}
+
+Faces weldedFaces(const Faces& faces, const std::vector<int>& first) {
+  return weldFaces(faces, first).faces;
 }
 
 }  // namespace posture

@@ -33,8 +33,8 @@ struct Lattice {
 Lattice makeLattice(const FleshField& field, double spacing, int tessellation) {
   Rng rng(0x51ull + static_cast<std::uint64_t>(static_cast<std::int64_t>(tessellation)));
   Lattice lattice;
-  const Eigen::Vector4d q(rng.normal(), rng.normal(), rng.normal(), rng.normal());
-  lattice.rotation = Eigen::Quaterniond(q.normalized()).toRotationMatrix();
+  const double w = rng.normal(), z = rng.normal(), y = rng.normal(), x = rng.normal();
+  lattice.rotation = Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
   lattice.spacing = spacing;
   Vec3 low = Vec3::Constant(1e9), high = Vec3::Constant(-1e9);
   for (int corner = 0; corner < 8; ++corner) {

@@ -38,6 +38,7 @@ bool CutSurface::cutOut(const std::vector<int>& vertices) {
     on_main[left[i]] = rest.face_on_main[i];
     turned[left[i]] = static_cast<char>(turned[left[i]] != rest.face_turned[i]);
   }
+  for (int& f : rest.piece_face) f = left[f];
   rest.face_on_main = std::move(on_main);
   rest.face_turned = std::move(turned);
   rest.inside_out = clean_.inside_out;

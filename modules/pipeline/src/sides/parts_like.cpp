@@ -128,6 +128,7 @@ std::vector<CleanMesh> partsLike(const CleanMesh& piece, const GivenShape& whole
     // What else the whole is in says nothing of how this part of it lies.
     cut.back().pieces = {};
     cut.back().piece_vertex.clear();
+    cut.back().piece_face.clear();
   }
   return cut;
 }

@@ -32,8 +32,8 @@ struct CleanMesh {
   /// Input vertex -> distance to that clean vertex; 0 exactly on the main surface.
   Vector offset;
   std::vector<char> face_on_main;  ///< input face -> whether it is on the main surface
-  /// Input face -> whether it must be turned round to look as the main surface does; off that:
-  /// whether the main surface was inside out.
+  /// Input face -> whether it must be turned round to look as the main surface or the piece it is
+  /// in does; off these: whether the main surface was inside out.
   std::vector<char> face_turned;
   /// Whether the main surface, its largest patch, encloses a volume but for its holes, so that its
   /// own shape tells the outside.
@@ -44,6 +44,7 @@ struct CleanMesh {
   /// by itself, the way the main surface was turned where they do not tell.
   TriangleMesh pieces;
   std::vector<int> piece_vertex;  ///< vertex of the pieces -> the first input vertex at its place
+  std::vector<int> piece_face;    ///< face of the pieces -> the input face it was
   CleaningSummary summary;
 };
 
@@ -67,7 +68,7 @@ void turnOver(CleanMesh& clean);
 /// \throws std::invalid_argument  `clean` is of an input with more faces or fewer.
 Faces facedAlike(const Faces& input, const CleanMesh& clean);
 
-/// How many different places corners of faces are in, of the first `vertices` vertices.
+/// How many different places corners of faces with three are in, of the first `vertices` vertices.
 int cornerPlaces(const TriangleMesh& mesh, int vertices);
 
 }  // namespace posture

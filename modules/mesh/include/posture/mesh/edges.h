@@ -40,6 +40,9 @@ double surfaceArea(const TriangleMesh& mesh);
 /// Its square root: how large a shape is, however it bends.
 double rootArea(const TriangleMesh& mesh);
 
+/// Non-zero for the corners of faces between three different vertices.
+std::vector<char> cornersOfFaces(const Faces& faces, int vertex_count);
+
 /// For each vertex a face it is a corner of; -1 for a vertex in no face.
 std::vector<int> faceOfEachVertex(const Faces& faces, int vertex_count);
 
