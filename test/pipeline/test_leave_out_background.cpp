@@ -76,6 +76,37 @@ TEST_F(OnFloors, theBodyIsRegistered) {
   EXPECT_LT(sum / count, meanEdgeLength(target_.mesh));
 }
 
+TEST(LeaveOutBackground, aPlaceOfTheBodyIsTheBodysWhicheverVertexIsTheFirstThere) {
+  // A spindle that stands on a vertex of a floor; the floor's vertices come first.
+  const TriangleMesh floor = test::grid(30, 30, 2, 2);
+  const double side = floor.vertices(1, 0) - floor.vertices(0, 0);
+  TriangleMesh spindle = test::sphere(1);
+  spindle.vertices *= Eigen::Vector3d(0.2, 0.2, 0.8).asDiagonal();
+  const int foot = [&] {
+    Eigen::Index lowest = 0;
+    spindle.vertices.col(2).minCoeff(&lowest);
+    return static_cast<int>(lowest);
+  }();
+  const Eigen::RowVector3d shift =
+      Eigen::RowVector3d(15 * side, 15 * side, 0) - spindle.vertices.row(foot);
+  spindle.vertices.rowwise() += shift;
+  TriangleMesh mesh{Points(floor.vertices.rows() + spindle.vertices.rows(), 3),
+                    Faces(floor.faces.rows() + spindle.faces.rows(), 3)};
+  mesh.vertices << floor.vertices, spindle.vertices;
+  const int n = static_cast<int>(floor.vertices.rows());
+  mesh.faces << floor.faces, spindle.faces.array() + n;
+  int at_foot = -1;
+  for (int v = 0; v < n; ++v)
+    if ((floor.vertices.row(v) - spindle.vertices.row(foot)).norm() < 1e-9) at_foot = v;
+  ASSERT_GE(at_foot, 0);
+  mesh.vertices.row(n + foot) = mesh.vertices.row(at_foot);
+  const Background background = leaveOutBackground(mesh);
+  ASSERT_GT(background.faces, 1000);
+  EXPECT_EQ(background.vertices[n + foot], 0);
+  EXPECT_EQ(background.vertices[at_foot], 0);
+  EXPECT_EQ(background.vertices[at_foot + 1], 1);
+}
+
 TEST_F(OnFloors, floorsHaveNoCounterpartAndNoPart) {
   const Correspondence &there = result().correspondence, &back = result().back->correspondence;
   for (int v = sourceBody(); v < source_mesh_.vertices.rows(); ++v) {

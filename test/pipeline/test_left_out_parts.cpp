@@ -66,5 +66,19 @@ TEST(LeftOutParts, placesInAFaceReachItsCorners) {
   EXPECT_EQ(result.target.left_out_share, 0);
 }
 
+TEST(LeftOutParts, ofASoupTheCornersAtAPlaceAreOne) {
+  const TriangleMesh one = spheres({1}), soup = test::soup(spheres({1, 0.9}));
+  const CleanMesh clean_one = cleanMesh(one), clean_soup = cleanMesh(soup);
+  RegistrationResult result;
+  result.correspondence.on_target.resize(162);
+  // The last faces, whose corners are at places of earlier ones.
+  for (int k = 0; k < 10; ++k) {
+    const int face = static_cast<int>(soup.faces.rows()) - 1 - k;
+    result.correspondence.on_target[k] = {soup.faces(face, 0), face, Eigen::Vector3d(1, 0, 0)};
+  }
+  noteLeftOutParts({one, clean_one}, {soup, clean_soup}, result);
+  EXPECT_EQ(result.target.left_out_share, 0);
+}
+
 }  // namespace
 }  // namespace posture

@@ -134,6 +134,25 @@ TEST_F(LimbInTwo, aPieceThatFitsNowhereHasNoCounterpart) {
     }
 }
 
+TEST_F(LimbInTwo, verticesThatTheTargetKeptOfWhatWasCutAwayAreNoPlace) {
+  TriangleMesh target = movedWhole();
+  int kept = 0;
+  for (int f = 0; f < whole_.faces.rows(); ++f) {
+    const Eigen::RowVector3i face = whole_.faces.row(f);
+    if (std::all_of(face.begin(), face.end(), [&](int v) { return whole_.vertices(v, 2) <= FROM; }))
+      target.faces.row(kept++) = face;
+  }
+  target.faces.conservativeResize(kept, 3);
+  const CleanMesh target_clean = cleanMesh(target);
+  EXPECT_FALSE(hasLoosePieces({target, target_clean}));
+  LaidSide side = laid(motion_, SCALE);
+  EXPECT_TRUE(placeLoosePieces({cut_, cut_clean_}, {target, target_clean}, side).empty());
+  for (int v = 0; v < whole_.vertices.rows(); ++v)
+    if (isWellInside(v)) {
+      EXPECT_LT(side.correspondence.on_target[v].vertex, 0) << v;
+    }
+}
+
 TEST_F(LimbInTwo, whatLiesOnAPieceOfTheTargetGetsItsPlaceThere) {
   const TriangleMesh source = movedWhole();
   const CleanMesh source_clean = cleanMesh(source);

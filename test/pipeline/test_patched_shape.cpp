@@ -146,6 +146,39 @@ TEST(LeaveOutPatches, whatLiesBesideTheRimGoesToItAndTheRestHasNoCounterpart) {
   EXPECT_GT(within, 20);
 }
 
+TEST(LeaveOutPatches, onAWideStripOnlyWhatIsBesideAVertexHasACounterpart) {
+  // Two squares of surface and a strip of two long faces between them.
+  const TriangleMesh square = test::grid(10, 10, 1, 1);
+  const auto n = static_cast<int>(square.vertices.rows());
+  TriangleMesh two{Points(2 * n, 3), Faces(2 * square.faces.rows(), 3)};
+  two.vertices << square.vertices, square.vertices.rowwise() + Eigen::RowVector3d(1.5, 0, 0);
+  two.faces << square.faces, square.faces.array() + n;
+  const CleanMesh clean = cleanMesh(two);
+  const auto at = [&](double x, double y) {
+    Eigen::Index nearest = 0;
+    (two.vertices.rowwise() - Eigen::RowVector3d(x, y, 0)).rowwise().norm().minCoeff(&nearest);
+    return static_cast<int>(nearest);
+  };
+  PatchedShape joined{two, clean};
+  joined.pieces = 1;
+  const auto strip = two.faces.rows();
+  joined.input.faces.conservativeResize(strip + 1, 3);
+  joined.input.faces.row(strip) << at(1, 0), at(1.5, 0), at(1, 0.1);
+  const PatchedShape as_given{two, clean};
+  RegistrationResult result;
+  result.correspondence.on_target.resize(two.vertices.rows());
+  result.correspondence.confidence = Vector::Ones(two.vertices.rows());
+  result.deformed = two.vertices;
+  const auto face = static_cast<int>(strip);
+  result.correspondence.on_target[0] = {at(1, 0), face, Eigen::Vector3d(0.9, 0.1, 0)};
+  result.correspondence.on_target[1] = {at(1, 0), face, Eigen::Vector3d(0.6, 0.4, 0)};
+  leaveOutPatches({two, clean}, as_given, {two, clean}, joined, result);
+  EXPECT_EQ(result.correspondence.on_target[0].vertex, at(1, 0));
+  EXPECT_LT(result.correspondence.on_target[0].face, face);
+  EXPECT_LT(result.correspondence.on_target[1].vertex, 0);
+  EXPECT_EQ(result.correspondence.confidence[1], 0);
+}
+
 /// A person in one pose and in another, either of which may be in pieces; most of it has to find
 /// its place.
 RegistrationResult registeredWhole(const ArticulatedBody& body,

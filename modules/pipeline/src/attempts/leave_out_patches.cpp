@@ -7,6 +7,7 @@
 
 #include "answer/shared_verdict.h"
 #include "refined/completion/way_back.h"
+#include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -49,18 +50,22 @@ std::vector<int> rimVertices(const TriangleMesh& input, const PatchedShape& patc
 class WithoutPatches {
  public:
   WithoutPatches(const TriangleMesh& input, const PatchedShape& patched)
-      : vertices_(static_cast<int>(input.vertices.rows())),
+      : patched_(patched.input),
+        reach_(std::max(meanEdgeLength(patched.clean.mesh),
+                        BEYOND_RIM * rootArea(patched.clean.mesh))),
+        vertices_(static_cast<int>(input.vertices.rows())),
         faces_(input.faces),
         face_of_(faceOfEachVertex(input.faces, vertices_)),
         rim_(rimVertices(input, patched)) {}
 
   int vertex(int v) const { return v < vertices_ ? v : rim_[v - vertices_]; }
 
-  /// A place on a patch is moved to the vertex beside it.
+  /// A place on a patch or a strip is moved to the vertex beside it, if there is one.
   SurfacePoint place(const SurfacePoint& given) const {
     if (given.vertex < 0 || (given.vertex < vertices_ && given.face < faces_.rows())) return given;
     const int beside = vertex(given.vertex);
-    return beside < 0 ? SurfacePoint() : placeOfVertex(faces_, face_of_, beside);
+    if (beside < 0 || (beside == given.vertex && !isNear(given, beside))) return {};
+    return placeOfVertex(faces_, face_of_, beside);
   }
 
   void trimRows(Correspondence& correspondence) const {
@@ -78,6 +83,13 @@ class WithoutPatches {
   int vertexCount() const { return vertices_; }
 
  private:
+  /// Strips may be much wider than an edge.
+  bool isNear(const SurfacePoint& given, int v) const {
+    return (positionOf(patched_, given) - patched_.vertices.row(v)).norm() <= reach_;
+  }
+
+  const TriangleMesh& patched_;
+  double reach_;
   int vertices_;
   const Faces& faces_;
   std::vector<int> face_of_, rim_;

@@ -4,6 +4,7 @@
 
 #include <posture/mesh/connected_parts.h>
 #include <posture/mesh/edges.h>
+#include <posture/mesh/weld.h>
 
 #include <algorithm>
 #include <vector>
@@ -37,12 +38,13 @@ void noteLeftOutParts(const GivenShape& source,
   std::vector<char> leads(source.input.vertices.rows(), 0),
       is_reached(target.input.vertices.rows(), 0);
   const std::vector<SurfacePoint>& places = result.correspondence.on_target;
+  const std::vector<int> first = weld(target.input.vertices);
   for (std::size_t v = 0; v < places.size(); ++v) {
     if (places[v].vertex < 0) continue;
     leads[v] = 1;
-    is_reached[places[v].vertex] = 1;
+    is_reached[first[places[v].vertex]] = 1;
     if (places[v].face >= 0)
-      for (int corner : target.input.faces.row(places[v].face)) is_reached[corner] = 1;
+      for (int corner : target.input.faces.row(places[v].face)) is_reached[first[corner]] = 1;
   }
   result.source.left_out_share = leftOutShare(source.clean, leads);
   result.target.left_out_share = leftOutShare(target.clean, is_reached);

@@ -3,6 +3,7 @@
 #include "sides/leave_out_background.h"
 
 #include <posture/mesh/background.h>
+#include <posture/mesh/weld.h>
 
 #include <algorithm>
 
@@ -18,6 +19,11 @@ Background leaveOutBackground(TriangleMesh& mesh) {
     for (int f = 0; f < mesh.faces.rows(); ++f)
       if (background[f] == of_background)
         for (int v : mesh.faces.row(f)) found.vertices[v] = of_background;
+  // What stands for all vertices at a place of the body is the body's.
+  const std::vector<int> first = weld(mesh.vertices);
+  for (int f = 0; f < mesh.faces.rows(); ++f)
+    if (background[f] == 0)
+      for (int v : mesh.faces.row(f)) found.vertices[first[v]] = 0;
   for (int f = 0; f < mesh.faces.rows(); ++f) {
     if (background[f] == 0) continue;
     // Not one of the body's, if there is another: points in the face go where that goes.

@@ -64,6 +64,12 @@ Eigen::Matrix3d ownAxes(const Points& points) {
   return momentAxes(points.rowwise() - points.colwise().mean(), Vector::Ones(points.rows()));
 }
 
+/// The diagonal of a box along its own axes.
+double extentOf(const Points& points) {
+  const Points along = points * ownAxes(points);
+  return (along.colwise().maxCoeff() - along.colwise().minCoeff()).norm();
+}
+
 Piece some(const Piece& piece, const std::vector<int>& points) {
   return {piece.points(points, Eigen::all), piece.normals(points, Eigen::all), 0, {}, piece.edge};
 }
@@ -220,9 +226,8 @@ bool liesOn(const TargetPart& target, const Piece& piece, const Eigen::Isometry3
 std::optional<Eigen::Isometry3d> drawPiece(const TargetPart& target,
                                            const Piece& piece,
                                            const Eigen::Isometry3d& motion) {
-  const auto extent = piece.points.colwise().maxCoeff() - piece.points.colwise().minCoeff();
   if (target.empty() || piece.points.rows() < LEAST_DRAWN ||
-      !(extent.norm() > LEAST_EXTENT * target.size()))
+      !(extentOf(piece.points) > LEAST_EXTENT * target.size()))
     return {};
   const auto begins = [&](const Eigen::Isometry3d& at) -> Eigen::Vector3d {
     return at * Eigen::Vector3d(piece.points.row(piece.first));

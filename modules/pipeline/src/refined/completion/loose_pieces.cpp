@@ -232,11 +232,11 @@ std::vector<char> coveredBy(const GivenShape& shape,
     return !(shape.clean.offset[v] > 0) && laid.correspondence.on_target[v].vertex >= 0;
   });
   std::vector<char> covered(places.rows(), 0);
-  if (mapped.empty()) return covered;
   constexpr double UNIT = 1;  // distances as they are
   const PieceTarget surface(
       {laid.deformed, shape.input.faces}, Points::Zero(laid.deformed.rows(), 3), UNIT, UNIT);
   const TargetPart part(surface, mapped);
+  if (part.empty()) return covered;
   for (Eigen::Index i = 0; i < places.rows(); ++i)
     covered[static_cast<std::size_t>(i)] = part.nearest(places.row(i)).distance < reach;
   return covered;
@@ -249,7 +249,13 @@ PieceTarget pieceTarget(const GivenShape& target) {
           rootArea(target.clean.mesh)};
 }
 
-bool hasLoosePieces(const GivenShape& shape) { return (shape.clean.offset.array() > 0).any(); }
+bool hasLoosePieces(const GivenShape& shape) {
+  const std::vector<char> on_faces =
+      cornersOfFaces(shape.input.faces, static_cast<int>(shape.input.vertices.rows()));
+  for (int v = 0; v < shape.ownVertices(); ++v)
+    if (on_faces[v] != 0 && shape.clean.offset[v] > 0) return true;
+  return false;
+}
 
 std::vector<PlacedPiece> placeLoosePieces(const GivenShape& source,
                                           const GivenShape& target,

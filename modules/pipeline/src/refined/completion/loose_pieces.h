@@ -23,7 +23,7 @@ std::vector<char> coveredBy(const GivenShape& shape,
                             const Points& places,
                             double reach);
 
-/// Whether there is anything off the main surface.
+/// Whether there is any surface off the main one.
 bool hasLoosePieces(const GivenShape& shape);
 
 /// A piece that found a place on the target.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refined/completion/target_part.h"
 
+#include <posture/mesh/edges.h>
 #include <posture/mesh/nearest_on_faces.h>
 #include <posture/mesh/rigid_motion.h>
 #include <posture/mesh/weld.h>
@@ -49,13 +50,16 @@ PieceTarget::PieceTarget(TriangleMesh surface,
       normals(std::move(vertex_normals)),
       neighbors(mesh.faces, static_cast<int>(first.size())),
       faces_around(mesh.faces, static_cast<int>(first.size())),
+      on_faces(cornersOfFaces(mesh.faces, static_cast<int>(first.size()))),
       edge(mean_edge),
       size(body_size) {}
 
 TargetPart::TargetPart(const PieceTarget& surface, std::vector<int> vertices)
     : surface_(surface), vertex_(std::move(vertices)), counts_(surface.mesh.vertices.rows(), 0) {
-  const auto is_copy = [&](int v) { return surface.first[v] != v; };
-  vertex_.erase(std::remove_if(vertex_.begin(), vertex_.end(), is_copy), vertex_.end());
+  const auto does_not_count = [&](int v) {
+    return surface.first[v] != v || surface.on_faces[v] == 0;
+  };
+  vertex_.erase(std::remove_if(vertex_.begin(), vertex_.end(), does_not_count), vertex_.end());
   for (int v : vertex_) counts_[v] = 1;
   if (!vertex_.empty()) index_.emplace(surface.mesh.vertices(vertex_, Eigen::all));
 }

@@ -39,6 +39,7 @@ struct PieceTarget {
   Points normals;
   VertexNeighbors neighbors;
   VertexFaces faces_around;
+  std::vector<char> on_faces;  ///< vertex -> whether it is one's corner: cornersOfFaces()
   double edge, size;
 };
 
@@ -46,7 +47,8 @@ struct PieceTarget {
 class TargetPart {
  public:
   /// \param surface  kept by reference.
-  /// \param vertices  those that count; of several at one place the first alone.
+  /// \param vertices  those that count; of several at one place the first alone, and none that is
+  ///        on no face: left over from what was cut away, or of a floor.
   TargetPart(const PieceTarget& surface, std::vector<int> vertices);
 
   bool empty() const { return vertex_.empty(); }
