@@ -146,6 +146,16 @@ TEST(BestAttempt, aRivalCostsAllMapsTrustAndIsLessLikelyItself) {
       result.alternatives[1].correspondence.confidence[0], result.trust * std::exp(-0.5), 1e-12);
 }
 
+TEST(BestAttempt, whatEndsCostWithinAnAttemptIsNothingToAnother) {
+  RegistrationResult paid = answerWith(-12.5, 1), other_paid = answerWith(-11.9, 2);
+  paid.alternatives[0].refined_score = -11.8;
+  other_paid.alternatives[0].refined_score = -10;
+  const double trust = best({{answerWith(-12.5, 1), {}}, {answerWith(-11.9, 2), {}}}).trust;
+  EXPECT_GT(trust, 0.5);
+  EXPECT_NEAR(best({{paid, {}}, {answerWith(-11.9, 2), {}}}).trust, trust, 1e-12);
+  EXPECT_NEAR(best({{answerWith(-12.5, 1), {}}, {other_paid, {}}}).trust, trust, 1e-12);
+}
+
 TEST(BestAttempt, oneThatMapsLessAndAgreesThereIsNoRival) {
   RegistrationResult part = answerWith(-11.5, 1);
   part.correspondence.on_target[1] = part.correspondence.on_target[2] = {};

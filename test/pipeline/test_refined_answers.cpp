@@ -54,6 +54,21 @@ TEST_F(RefinedAnswersTest, aMapThatBeganBetweenTwoAnswersCountsForTheNearerOne) 
   EXPECT_EQ(answers.of(2), &maps[1]);
 }
 
+TEST_F(RefinedAnswersTest, whereWhatWasLetGoOfEndsTellsNothing) {
+  const std::vector<Finalist> finalists{finalist(0), finalist(5)};
+  std::vector<RefinedMap> maps{refined(0, 0, -11), refined(1, 0, -10)};
+  // A third of the second one is elsewhere.
+  const std::size_t third = strip_.vertices.rows() / 3;
+  for (std::size_t v = 0; v < third; ++v) maps[1].pair.maps.forward[v] = 20;
+  const auto remaining = [&] {
+    return RefinedAnswers(maps, finalists, {0, 1}, strip_, strip_, 0.07).remaining();
+  };
+  EXPECT_EQ(remaining(), (Answers{0, 1}));
+  maps[1].pair.apart_a.assign(strip_.vertices.rows(), 0);
+  for (std::size_t v = 0; v < third; ++v) maps[1].pair.apart_a[v] = 1;
+  EXPECT_EQ(remaining(), (Answers{0}));
+}
+
 TEST_F(RefinedAnswersTest, whereMapsEndIsToldOnTheirOwnMesh) {
   const TriangleMesh fine = test::grid(40, 1, 1, 0.025);
   const auto on_fine = [&](int finalist, int column, double score) {

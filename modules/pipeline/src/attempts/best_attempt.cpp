@@ -164,6 +164,10 @@ RegistrationResult bestAttempt(std::vector<Attempt> attempts,
     }
     AlternativeSummary summary = other.known().alternatives[other.known().chosen];
     summary.gap = rival.gap;
+    // Ends of limbs are compared within an attempt alone.
+    if (const auto& refined = result.alternatives[result.chosen].refined_score;
+        refined && summary.refined_score)
+      summary.refined_score = *refined + other.known().score - result.score;
     const double trust = other.known().trust;
     if (options.refine_alternatives) {
       if (!other.whole)

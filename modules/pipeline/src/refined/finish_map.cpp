@@ -3,15 +3,19 @@
 #include "refined/finish_map.h"
 
 #include "answer/verdict.h"
+#include "no_way_on.h"
 #include "refined/completion/loose_pieces.h"
 #include "refined/completion/target_pieces.h"
 #include "refined/completion/way_back.h"
 #include "refined/completion/whole_source.h"
+#include "refined/finalists/answer_gap.h"
 #include "refined/refinement/full_resolution.h"
 #include "refined/refinement/refined_pictures.h"
 #include "refined/refinement/refined_result.h"
 #include "refined/work/refined_shape.h"
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -32,11 +36,17 @@ Points deformedInput(const PosedSide& source,
 
 /// Takes an answer that was not chosen to full precision. Loose pieces have no counterparts in it:
 /// they are placed by what is next to them in the one that was.
+/// \throws NoWayOn  each way to refine it leads to the chosen one.
 Correspondence refinedAlternative(const ChosenMap& chosen, int begun_from, double trust) {
   const PosedSide &source = chosen.source, &target = chosen.target;
-  RefinedMap map =
-      refineFinalists(source.shape, target.shape, chosen.may_lack, {&chosen.finalists[begun_from]})
-          .front();
+  std::vector<RefinedMap> maps =
+      refineFinalists(source.shape, target.shape, chosen.may_lack, {&chosen.finalists[begun_from]});
+  const auto another = std::find_if(maps.begin(), maps.end(), [&](const RefinedMap& map) {
+    return gapBetween(target.shape.work.mesh, map.pair, chosen.best.pair) >
+           answerGap(target.shape.samples);
+  });
+  if (another == maps.end()) throw NoWayOn("an alternative leads where the chosen answer does");
+  RefinedMap map = std::move(*another);
   annealMap(source.shape, target.shape, chosen.may_lack, map);
   Correspondence correspondence =
       correspondenceOf(source.given,

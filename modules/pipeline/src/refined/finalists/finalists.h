@@ -22,7 +22,7 @@ constexpr double LEAST_ORIENTATION = 0.2;
 
 /// A candidate that keeps the outside out, registered on the coarse meshes.
 struct Finalist {
-  double orientation = 0;  ///< of the map it began as
+  double orientation = 0;  ///< of the map it began as; if that was changed since, of what it became
   VertexMaps maps;         ///< between the coarse meshes
   MapScore score;
   double scale = 1;              ///< what the source was multiplied by for it

@@ -93,7 +93,7 @@ Answers answersOf(const std::vector<RefinedMap>& maps, const TriangleMesh& targe
   for (const RefinedMap& map : maps) {
     const auto known =
         std::find_if(answers.best.begin(), answers.best.end(), [&](const RefinedMap* other) {
-          return gapBetween(target, map.pair.maps, other->pair.maps) <= gap;
+          return gapBetween(target, map.pair, other->pair) <= gap;
         });
     answers.of_map.push_back(known - answers.best.begin());
     if (known == answers.best.end()) answers.best.push_back(&map);

@@ -22,7 +22,7 @@ RefinedAnswers::RefinedAnswers(const std::vector<RefinedMap>& refined,
     };
     began_as_.push_back(*std::min_element(
         distinct.begin(), distinct.end(), [&](int i, int j) { return far(i) < far(j); }));
-    like_best_.push_back(gapBetween(target, map.pair.maps, refined.front().pair.maps) <= gap);
+    like_best_.push_back(gapBetween(target, map.pair, refined.front().pair) <= gap);
   }
   chosen_ = *std::find_if(distinct.begin(), distinct.end(), [&](int answer) {
     return answer == began_as_.front() || leadsToBest(answer);
