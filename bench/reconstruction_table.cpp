@@ -9,6 +9,7 @@
 // A row a case to stdout; --all: a row for PCL's methods too; --write: the surfaces as PLY files in
 // DIR, which must exist.
 #include <posture/core/rng.h>
+#include <posture/core/seconds_since.h>
 #include <posture/geodesic/fast_marching.h>
 #include <posture/io/mesh_io.h>
 #include <posture/mesh/clean_mesh.h>
@@ -260,7 +261,7 @@ void printRow(const Case& one,
     std::printf("| %s | %s | %s |\n", one.name.c_str(), method, error.what());
     return;
   }
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const double seconds = secondsSince(start);
   const TriangleMesh truth = cleanMesh(readMesh(one.truth).mesh).mesh;
   const GeodesicErrors e = geodesicErrors(truth, surface, cloud);
   std::string check;
@@ -289,7 +290,7 @@ void printRow(const Case& one,
       e.lengthened,
       e.unreachable,
       e.unseen,
-      seconds.count(),
+      seconds,
       usage.ru_maxrss / 1024,
       check.empty() ? "yes" : check.c_str());
   std::printf(" out %d avg %d noise/h %.2f dropped %d thin %.3f contacts %d %s\n",

@@ -6,10 +6,9 @@
 #include <posture/io/mesh_io.h>
 #include <posture/io/shape_io.h>
 
-#include <nlohmann/json.hpp>
-
 #include "common/endings.h"
 #include "folder.h"
+#include "json_document.h"
 #include "result_files.h"
 #include "verbs.h"
 #include <algorithm>
@@ -23,7 +22,6 @@ namespace posture::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 struct ApplyOptions {
   fs::path folder, points, output;
@@ -110,7 +108,7 @@ void applyVerb(const ApplyOptions& options, Common& common) {
     std::fprintf(stderr, "posture: %s: %s\n", options.folder.c_str(), doubt.c_str());
   }
   if (common.json)
-    std::printf("%s\n", Json{{"points", count}, {"far", far}}.dump().c_str());
+    std::printf("%s", documentText({{"points", count}, {"far", far}}).c_str());
   else if (!common.quiet)
     std::printf("%s moved%s\n",
                 counted(count).c_str(),

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/io/atomic_file.h>
 
 #include "benchmark_pair.h"
 #include "benchmark_report.h"
@@ -95,7 +96,7 @@ void benchmarkPair(const ChildOptions& options) {
   for (const BenchmarkPair& pair : readPairList(options.list))
     if (pair.id == options.id) {
       const Json result = runPair(pair, options.paper ? Method::PAPER : Method::REFINED);
-      return writeText(options.result, documentText(result));
+      return writeFile(options.result, documentText(result));
     }
   throw InputError(options.list.string() + ": has no pair '" + options.id + "'");
 }

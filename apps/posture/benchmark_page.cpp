@@ -38,8 +38,8 @@ std::string familyTable(const Json& families) {
                     formatFixed(numberAt(f, "/median_best_x100"), 2),
                     formatFixed(numberAt(f, "/largest_best_x100"), 2),
                     countOf(f, "wrong_side", "mirror_known"),
-                    percent(numberAt(f, "/mean_share_accepted")),
-                    percent(numberAt(f, "/median_share_within_two_edges")),
+                    formatPercent(numberAt(f, "/mean_share_accepted")),
+                    formatPercent(numberAt(f, "/median_share_within_two_edges")),
                     formatFixed(numberAt(f, "/median_seconds"), 1),
                     formatFixed(numberAt(f, "/largest_seconds"), 1),
                     formatFixed(numberAt(f, "/largest_memory_mib"), 0)});
@@ -82,7 +82,8 @@ std::string trustSection(const TrustCurve& trust) {
          " bad ones (worse, or of unrelated shapes) the trust figure has an area under the ROC "
          "curve of **" +
          formatFixed(trust.area(), 3) + "**. At the threshold of the status, 0.5, " +
-         percent(trust.goodAbove(0.5)) + " of the good maps and " + percent(trust.badAbove(0.5)) +
+         formatPercent(trust.goodAbove(0.5)) + " of the good maps and " +
+         formatPercent(trust.badAbove(0.5)) +
          " of the bad ones are called registered.\n\n![ROC of the trust figure](trust.svg)\n";
 }
 
@@ -119,7 +120,7 @@ Cells ourRow(const Json& f) {
           formatFixed(numberAt(f, "/samples"), 0),
           formatFixed(numberAt(f, "/median_accepted"), 0),
           formatFixed(numberAt(f, "/median_rejected"), 0),
-          percent(numberAt(f, "/median_share_within_two_edges")),
+          formatPercent(numberAt(f, "/median_share_within_two_edges")),
           formatFixed(numberAt(f, "/median_seconds"), 1) + " s"};
 }
 
@@ -172,7 +173,7 @@ std::string pairTable(const std::vector<Json>& results) {
                     yesNo(r, "/mirror/wrong_side"),
                     formatFixed(numberAt(r, "/accepted"), 0),
                     formatFixed(numberAt(r, "/rejected"), 0),
-                    percent(numberAt(r, "/errors/share_within_two_edges")),
+                    formatPercent(numberAt(r, "/errors/share_within_two_edges")),
                     formatFixed(numberAt(r, "/seconds"), 1),
                     formatFixed(numberAt(r, "/peak_memory_mib"), 0),
                     textAt(r, "message")});
@@ -208,7 +209,7 @@ std::string fitTable(const std::vector<Json>& results) {
   for (const Json& r : results)
     if (r.contains("fit") && !r.contains("errors"))
       rows.push_back({textAt(r, "id"),
-                      percent(numberAt(r, "/accepted") / numberAt(r, "/source_vertices")),
+                      formatPercent(numberAt(r, "/accepted") / numberAt(r, "/source_vertices")),
                       formatFixed(numberAt(r, "/fit/median_distance"), 2),
                       formatFixed(numberAt(r, "/fit/percentile_95_distance"), 2),
                       formatFixed(numberAt(r, "/fit/mean_stretch"), 3),

@@ -4,6 +4,7 @@
 
 #include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
+#include <posture/core/seconds_since.h>
 #include <posture/evaluation/map_error.h>
 #include <posture/report/peak_memory.h>
 

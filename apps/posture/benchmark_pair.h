@@ -5,7 +5,7 @@
 #include <posture/evaluation/pair_list.h>
 #include <posture/pipeline/register_shapes.h>
 
-#include "error_json.h"
+#include "json_document.h"
 #include <string>
 
 namespace posture::app {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "benchmark_report.h"
 
+#include <posture/io/atomic_file.h>
+
 #include "error_plots.h"
 #include "folder.h"
 #include "result_columns.h"
@@ -73,14 +75,14 @@ Json writeBenchmarkReport(const std::vector<Json>& results,
       {"trust",
        {{"good_pairs", trust.good}, {"bad_pairs", trust.bad}, {"area_under_curve", trust.area()}}},
       {"pairs", results}};
-  writeText(folder / "results.csv",
+  writeFile(folder / "results.csv",
             toCsv(tableOf(results, {std::begin(COLUMNS), std::end(COLUMNS)})));
-  writeText(folder / "results.json", documentText(summary));
-  writeText(folder / "RESULTS.md", benchmarkPage(results, families, trust, listed));
-  writeText(folder / "curves.svg", curvePlot(seriesOf(families, "curve")));
-  writeText(folder / "histogram.svg", histogramPlot(seriesOf(families, "edge_histogram")));
+  writeFile(folder / "results.json", documentText(summary));
+  writeFile(folder / "RESULTS.md", benchmarkPage(results, families, trust, listed));
+  writeFile(folder / "curves.svg", curvePlot(seriesOf(families, "curve")));
+  writeFile(folder / "histogram.svg", histogramPlot(seriesOf(families, "edge_histogram")));
   if (trust.isKnown())
-    writeText(folder / "trust.svg", trustPlot(trust));
+    writeFile(folder / "trust.svg", trustPlot(trust));
   else
     removeFrom(folder, "trust.svg");
   return summary;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "child_run.h"
 
+#include <posture/io/atomic_file.h>
+
 #include "child_process.h"
 #include "folder.h"
 #include "run_progress.h"
@@ -40,7 +42,7 @@ Json runInChild(const ChildRun& run, const std::function<void()>& waiting) {
     result = failedRun(
         run.described, "failed", end.succeeded ? "left no result of these files" : end.reason);
     result["cut_short"] = true;
-    writeText(run.result_file, documentText(result));
+    writeFile(run.result_file, documentText(result));
   }
   return result;
 }

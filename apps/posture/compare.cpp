@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/io/atomic_file.h>
 
 #include "child_process.h"
 #include "child_run.h"
@@ -136,7 +137,7 @@ struct ChildOptions {
 void compareRun(const ChildOptions& options) {
   endWithParent(options.parent);
   const ComparedRun run = comparedRun(Json::parse(options.request));
-  writeText(options.result, documentText(runCompared(run)));
+  writeFile(options.result, documentText(runCompared(run)));
 }
 
 }  // namespace

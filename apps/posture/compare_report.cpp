@@ -3,6 +3,7 @@
 #include "compare_report.h"
 
 #include <posture/evaluation/map_error.h>
+#include <posture/io/atomic_file.h>
 
 #include "compare_run.h"
 #include "compare_variation.h"
@@ -109,14 +110,14 @@ Json writeComparison(const std::vector<Json>& runs,
   for (const std::string& variation : variations()) {
     const std::vector<NamedSeries> curves = curvesOf(runs, variation);
     if (curves.empty()) continue;
-    writeText(folder / curveFile(variation), curvePlot(curves));
+    writeFile(folder / curveFile(variation), curvePlot(curves));
     curved.push_back(variation);
   }
   Json summary{{"version", POSTURE_VERSION}, {"verdicts", comparison.verdicts}, {"runs", runs}};
-  writeText(folder / "comparison.csv",
+  writeFile(folder / "comparison.csv",
             toCsv(tableOf(runs, {std::begin(COLUMNS), std::end(COLUMNS)})));
-  writeText(folder / "comparison.json", documentText(summary));
-  writeText(folder / "comparison.md", page(comparison, curved));
+  writeFile(folder / "comparison.json", documentText(summary));
+  writeFile(folder / "comparison.md", page(comparison, curved));
   for (const std::string& variation : variations())
     if (std::find(curved.begin(), curved.end(), variation) == curved.end())
       removeFrom(folder, curveFile(variation));

@@ -4,7 +4,7 @@
 
 #include <posture/report/table.h>
 
-#include "error_json.h"
+#include "json_document.h"
 #include <filesystem>
 #include <string>
 #include <vector>

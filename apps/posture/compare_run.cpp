@@ -5,9 +5,11 @@
 #include <posture/baselines/rigid_registration.h>
 #include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
+#include <posture/core/seconds_since.h>
 #include <posture/evaluation/closeness.h>
 #include <posture/mesh/normals.h>
 #include <posture/mesh/point_index.h>
+#include <posture/mesh/rigid_motion.h>
 #include <posture/report/peak_memory.h>
 
 #include "child_run.h"
@@ -70,9 +72,7 @@ Outcome moveAsAWhole(const Shape& source, const Shape& target, const RigidResult
     outcome.status = "failed";
     return outcome;
   }
-  outcome.registered =
-      (source.cloud.points * motion.T_target_source.linear().transpose()).rowwise() +
-      motion.T_target_source.translation().transpose();
+  outcome.registered = moved(motion.T_target_source, source.cloud.points);
   outcome.on_target = nearestPoints(outcome.registered, target.cloud.points);
   return outcome;
 }

@@ -4,7 +4,7 @@
 
 #include <posture/evaluation/pair_list.h>
 
-#include "error_json.h"
+#include "json_document.h"
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/evaluation/map_error.h>
 #include <posture/evaluation/statistics.h>
+#include <posture/report/table.h>
 
 #include "compare_report.h"
 #include "compare_run.h"
 #include "compare_variation.h"
+#include "error_json.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -77,7 +79,7 @@ std::string changeCell(const Runs& of_method, const Runs& runs) {
     const double change = after == before ? 0 : std::abs(after / before - 1);
     if (!(largest_change >= change)) largest_change = change;
   }
-  return std::isinf(largest_change) ? "inf" : percent(largest_change);
+  return std::isinf(largest_change) ? "inf" : formatPercent(largest_change);
 }
 
 /// Of the true pairs, or of the source's points where no truth is known.
@@ -97,7 +99,7 @@ double averageOf(const Runs& runs, const std::function<double(const Json&)>& fig
 
 std::string shareBelow(const Json& run, double place) {
   if (!run.contains("errors")) return "-";
-  return percent(curveAt(run["errors"], place));
+  return formatPercent(curveAt(run["errors"], place));
 }
 
 std::string side(const Json& run) {
@@ -142,7 +144,7 @@ TextTable pairTable(const Runs& runs) {
     row.insert(row.end(),
                {textAt(run, "status"),
                 shown(errorOf(run)),
-                percent(shareMapped(run)),
+                formatPercent(shareMapped(run)),
                 shown(errorWithMisses(run)),
                 shown(numberAt(run, "/errors/median_x100")),
                 shareBelow(run, 0.01),
@@ -173,7 +175,7 @@ TextTable listTable(const Runs& runs) {
     const bool can_converge = textAt(chosen.front(), "method") != "as-given";
     row.insert(row.end(),
                {shown(mean(figures(chosen, "/errors/mean_x100"))),
-                percent(averageOf(chosen, shareMapped)),
+                formatPercent(averageOf(chosen, shareMapped)),
                 shown(averageOf(chosen, errorWithMisses)),
                 changeCell(of_method, chosen),
                 can_converge ? std::to_string(countOf(chosen, {"converged", "registered"})) +
@@ -193,10 +195,10 @@ TextTable fitTable(const Runs& runs) {
     const auto average = [&](const char* pointer) { return mean(figures(chosen, pointer)); };
     Cells row = rowHead(chosen);
     row.insert(row.end(),
-               {percent(average("/mean_distance"), 2),
-                percent(average("/stretch")),
-                percent(average("/source_near")),
-                percent(average("/target_near"))});
+               {formatPercent(average("/mean_distance"), 2),
+                formatPercent(average("/stretch")),
+                formatPercent(average("/source_near")),
+                formatPercent(average("/target_near"))});
     table.rows.push_back(row);
   });
   return table;
@@ -274,7 +276,7 @@ std::string bestOfPair(const Runs& of_pair) {
   const std::vector<Place> near = places(
       of_pair,
       [](const Json& run) { return numberAt(run, "/mean_distance"); },
-      [](double distance) { return percent(distance, 2); });
+      [](double distance) { return formatPercent(distance, 2); });
   if (near.empty()) return "no method has a result.";
   return "no truth is known; nearest to the target is " + listed(near.front().methods) +
          ", on average " + near.front().figure + " of its size.";

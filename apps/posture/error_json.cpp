@@ -3,11 +3,9 @@
 #include "error_json.h"
 
 #include <posture/evaluation/statistics.h>
-#include <posture/report/table.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <vector>
 
 namespace posture::app {
 
@@ -44,15 +42,6 @@ double curveAt(const Json& errors, double place) {
   const std::vector<double> places = curvePlaces();
   const auto found = std::lower_bound(places.begin(), places.end(), place - 1e-9);
   return errors["curve"][found - places.begin()];
-}
-
-double largest(const std::vector<double>& values) {
-  return values.empty() ? std::numeric_limits<double>::quiet_NaN()
-                        : *std::max_element(values.begin(), values.end());
-}
-
-std::string percent(double share, int decimals) {
-  return std::isfinite(share) ? formatFixed(100 * share, decimals) + " %" : "-";
 }
 
 }  // namespace posture::app

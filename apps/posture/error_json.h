@@ -5,8 +5,6 @@
 #include <posture/evaluation/map_error.h>
 
 #include "json_document.h"
-#include <string>
-#include <vector>
 
 namespace posture::app {
 
@@ -18,11 +16,5 @@ Json toJson(const MirrorComparison& comparison);
 /// The share of points with at most that error, one of curvePlaces(). \pre  `errors` is such a
 /// document.
 double curveAt(const Json& errors, double place);
-
-/// NaN where there are none.
-double largest(const std::vector<double>& values);
-
-/// A share of 1 in per cent; "-" for NaN.
-std::string percent(double share, int decimals = 1);
 
 }  // namespace posture::app

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "error_json.h"
+#include "json_document.h"
 #include <string>
 #include <vector>
 

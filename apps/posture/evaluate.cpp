@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/evaluation/truth.h>
+#include <posture/io/atomic_file.h>
 #include <posture/io/correspondence_io.h>
 #include <posture/io/shape_io.h>
 #include <posture/mesh/seams.h>
@@ -78,18 +79,18 @@ void printFigures(const Json& json) {
   std::printf("mean x100 in faces     %s\n",
               formatFixed(numberAt(json, "/subvertex_mean_x100"), 3).c_str());
   for (double place : {0.01, 0.02, 0.05, 0.1, 0.25})
-    std::printf("error below %-4g       %s\n", place, percent(curveAt(json, place)).c_str());
+    std::printf("error below %-4g       %s\n", place, formatPercent(curveAt(json, place)).c_str());
   std::printf("accepted               %d of %d (%s), %d rejected\n",
               count("accepted"),
               count("source_vertices"),
-              percent(json["share_accepted"]).c_str(),
+              formatPercent(json["share_accepted"]).c_str(),
               count("rejected"));
   std::printf("true pairs             %d, mapped %d, measured %d\n",
               count("true_pairs"),
               count("mapped_pairs"),
               count("measured_pairs"));
   std::printf("within two edges       %s\n",
-              percent(numberAt(json, "/share_within_two_edges")).c_str());
+              formatPercent(numberAt(json, "/share_within_two_edges")).c_str());
   std::printf("points by edges off   ");
   const auto histogram = json["edge_histogram"].get<std::vector<int>>();
   for (std::size_t edges = 0; edges < std::min<std::size_t>(histogram.size(), 10); ++edges)
@@ -103,22 +104,22 @@ void printFigures(const Json& json) {
       mirror["wrong_side"] == true ? "wrong" : "right",
       formatFixed(numberAt(mirror, "/mean_to_truth_x100"), 3).c_str(),
       formatFixed(numberAt(mirror, "/mean_to_mirror_x100"), 3).c_str(),
-      percent(mirror["share_nearer_mirror"]).c_str());
+      formatPercent(mirror["share_nearer_mirror"]).c_str());
 }
 
 void writeFigures(const fs::path& folder, const Json& json) {
-  writeText(folder / "evaluation.json", documentText(json));
+  writeFile(folder / "evaluation.json", documentText(json));
   const auto curve = json["curve"].get<std::vector<double>>();
   const std::vector<double> places = curvePlaces();
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < curve.size(); ++i)
     rows.push_back({formatFixed(places[i], 4), formatFixed(curve[i], 6)});
-  writeText(folder / "curve.csv", toCsv({{"error", "share_below"}, rows}));
+  writeFile(folder / "curve.csv", toCsv({{"error", "share_below"}, rows}));
   std::vector<double> shares;
   for (int points : json["edge_histogram"].get<std::vector<int>>())
     shares.push_back(points / json["measured_pairs"].get<double>());
-  writeText(folder / "curve.svg", curvePlot({{"map", curve}}));
-  writeText(folder / "histogram.svg", histogramPlot({{"map", shares}}));
+  writeFile(folder / "curve.svg", curvePlot({{"map", curve}}));
+  writeFile(folder / "histogram.svg", histogramPlot({{"map", shares}}));
 }
 
 void evaluate(const EvaluateOptions& options, const Common& common) {

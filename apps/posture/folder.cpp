@@ -54,8 +54,4 @@ void removeFrom(const std::filesystem::path& folder, const std::filesystem::path
   if (fs::is_regular_file(path, error) && !fs::is_symlink(path, error)) fs::remove(path, error);
 }
 
-void writeText(const std::filesystem::path& path, const std::string& text) {
-  writeFile(path, text);
-}
-
 }  // namespace posture::app

@@ -40,7 +40,4 @@ void checkWritable(const std::filesystem::path& path);
 /// to. What cannot be removed stays, to be written over, or for that to say why it cannot.
 void removeFrom(const std::filesystem::path& folder, const std::filesystem::path& name);
 
-/// Writes a whole text file or none.
-void writeText(const std::filesystem::path& path, const std::string& text);
-
 }  // namespace posture::app

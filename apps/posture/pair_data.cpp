@@ -3,6 +3,7 @@
 #include "pair_data.h"
 
 #include <posture/core/error.h>
+#include <posture/core/seconds_since.h>
 #include <posture/core/utf8.h>
 #include <posture/evaluation/truth.h>
 #include <posture/io/shape_io.h>
@@ -97,17 +98,10 @@ void checkTexts(const std::filesystem::path& list, const std::vector<BenchmarkPa
 }
 
 SurfaceFit fitOf(const Shape& source, const Shape& target, const RegistrationResult& result) {
-  const auto meshOf = [](const Shape& shape, const std::optional<ScanSurface>& scan) {
-    return scan ? scan->mesh : TriangleMesh{shape.cloud.points, shape.faces};
-  };
-  return measureFit(meshOf(source, result.source_scan),
+  return measureFit(registeredMesh(source, result.source_scan, result.source_denoised),
                     result.source_scan ? result.surface_deformed : result.deformed,
                     result.scale,
-                    meshOf(target, result.target_scan));
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+                    registeredMesh(target, result.target_scan, result.target_denoised));
 }
 
 }  // namespace posture::app

@@ -10,7 +10,6 @@
 
 #include "json_document.h"
 #include "target_places.h"
-#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -50,7 +49,5 @@ void checkTexts(const std::filesystem::path& list, const std::vector<BenchmarkPa
 /// How the surfaces lie on each other, those of clouds laid through them.
 /// \pre  the result has a deformed source.
 SurfaceFit fitOf(const Shape& source, const Shape& target, const RegistrationResult& result);
-
-double secondsSince(std::chrono::steady_clock::time_point start);
 
 }  // namespace posture::app

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/seconds_since.h>
+#include <posture/io/atomic_file.h>
 #include <posture/io/shape_io.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/pipeline/segment_shape.h>
@@ -79,14 +81,13 @@ void registerVerb(const RegisterOptions& options, Common& common) {
     std::fprintf(stderr, "posture: without near-rigid parts: %s\n", error.what());
   }
   bar.show("writing", 1);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  const RunDescription run = describe(options, result, segments.has_value(), elapsed.count());
+  const RunDescription run = describe(options, result, segments.has_value(), secondsSince(start));
   const std::string report = reportJson(result, run);  // once: it says how much memory was used
   removeResultFiles(options.folder);                   // no mix of two results
   try {
     writeResultFiles(options.folder, source.shape, target.shape, result, segments);
-    writeText(options.folder / "report.html", reportHtml(result, run));
-    writeText(options.folder / "report.json", report);
+    writeFile(options.folder / "report.html", reportHtml(result, run));
+    writeFile(options.folder / "report.json", report);
   } catch (...) {  // no part of one either
     removeResultFiles(options.folder);
     throw;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_progress.h"
 
+#include <posture/core/seconds_since.h>
 #include <posture/report/table.h>
 
 #include <cmath>
@@ -21,8 +22,7 @@ void RunProgress::begin(const std::string& name) {
 
 void RunProgress::wait() const {
   if (!live_) return;
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
-  std::fprintf(stderr, "\r\033[K%s  %.0f s", head().c_str(), seconds.count());
+  std::fprintf(stderr, "\r\033[K%s  %.0f s", head().c_str(), secondsSince(start_));
 }
 
 void RunProgress::end(const Json& result) const {

@@ -120,7 +120,7 @@ void writeFiles(const fs::path& folder,
                  transferColors(
                      colors, poses.results[k].correspondence, pose, poses.results[k].target_scan));
   }
-  writeText(folder / "segments.json", described);
+  writeFile(folder / "segments.json", described);
 }
 
 void segmentVerb(const SegmentOptions& options, Common& common) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stage_dump.h"
 
+#include <posture/io/atomic_file.h>
 #include <posture/io/mesh_io.h>
 #include <posture/io/text_file.h>
 #include <posture/report/colors.h>
@@ -66,7 +67,7 @@ void StageDump::write(const StageEvent& event) {
     names.push_back(name + picture.name + ".ply");
     list_ += names.back() + '\n';
   }
-  writeText(folder_ / LIST, list_);
+  writeFile(folder_ / LIST, list_);
   for (std::size_t i = 0; i < pictures.size(); ++i)
     writeMesh(folder_ / names[i], pictures[i].mesh, colorsOf(pictures[i]));
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/rng.h>
+#include <posture/io/atomic_file.h>
 #include <posture/synthesis/articulated_body.h>
 #include <posture/synthesis/rigid_pair.h>
 #include <posture/synthesis/simulated_scan.h>
@@ -130,7 +131,7 @@ void synthesize(const SynthesizeOptions& options, const Common& common) {
     if (options.scan) pairs.push_back(list.addScans(options.kind, reference, shape));
   }
   if (!pairs.empty()) list.write();
-  if (!bones.empty()) writeText(options.folder / "bones.json", documentText(bones));
+  if (!bones.empty()) writeFile(options.folder / "bones.json", documentText(bones));
   if (common.json) std::cout << documentText({{"shapes", shapes}, {"pairs", pairs}});
 }
 

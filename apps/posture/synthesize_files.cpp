@@ -81,7 +81,7 @@ Json PairList::addScans(const std::string& family,
 
 void PairList::write() const {
   const std::string more = scans_ ? ",target_surface,target_surface_vertices" : "";
-  writeText(folder_ / "pairs.csv",
+  writeFile(folder_ / "pairs.csv",
             "id,family,kind,source,target,truth,mirror_truth,note" + more + "\n" + rows_);
 }
 

@@ -3,6 +3,7 @@
 #include "registration_node.h"
 
 #include <posture/core/error.h>
+#include <posture/core/seconds_since.h>
 #include <posture/io/shape_io.h>
 
 #include "cloud_message.h"
@@ -137,8 +138,7 @@ void RegistrationNode::registerPair(const Pair& pair) {
   correspondences_.publish(correspondenceLines(source, target, result));
   segments_.publish(segmentMarkers(source, result, parts));
   publishProgress("done", 1);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  publishStatus(outcome(result, parts, elapsed.count()));
+  publishStatus(outcome(result, parts, secondsSince(start)));
 }
 
 void RegistrationNode::publishProgress(std::string_view stage, double progress) const {

@@ -167,15 +167,10 @@ DiagnosticStatus outcome(const RegistrationResult& result,
   const bool registered = result.status == Status::REGISTERED;
   DiagnosticStatus message =
       status(registered ? DiagnosticStatus::OK : DiagnosticStatus::WARN, result.message);
-  const long points = presentCount(result);
   add(message, "status", registered ? "registered" : "undecided");
   if (!result.alternatives.empty()) add(message, "trust", formatFixed(result.trust, 3));
-  add(message, "source points", std::to_string(points));
-  add(message,
-      "share mapped",
-      formatFixed(static_cast<double>(mappedCount(result.correspondence.on_target)) /
-                      static_cast<double>(points),
-                  3));
+  add(message, "source points", std::to_string(presentCount(result)));
+  add(message, "share mapped", formatFixed(mappedShare(result), 3));
   add(message, "scale", formatShort(result.scale));
   if (segments != nullptr) add(message, "parts", std::to_string(segments->parts.count));
   if (result.back) add(message, "mean miss there and back", formatShort(result.back->mean_miss));

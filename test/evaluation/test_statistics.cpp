@@ -24,6 +24,11 @@ TEST(Statistics, Mean) {
   EXPECT_TRUE(std::isnan(mean({})));
 }
 
+TEST(Statistics, Largest) {
+  EXPECT_EQ(largest({1, 6, 2}), 6);
+  EXPECT_TRUE(std::isnan(largest({})));
+}
+
 TEST(Statistics, EvenSubset) {
   EXPECT_THAT(evenSubset(3, 10), testing::ElementsAre(0, 1, 2));
   EXPECT_THAT(evenSubset(10, 5), testing::ElementsAre(1, 3, 5, 7, 9));

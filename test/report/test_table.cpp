@@ -60,6 +60,9 @@ TEST(Table, numbers) {
   EXPECT_EQ(formatShort(1234567.0, 3), "1.23e+06");
   EXPECT_EQ(formatShort(std::numeric_limits<double>::infinity()), "-");
   EXPECT_EQ(formatFixed(std::nan(""), 3), "-");
+  EXPECT_EQ(formatPercent(0.1254), "12.5 %");
+  EXPECT_EQ(formatPercent(1, 0), "100 %");
+  EXPECT_EQ(formatPercent(std::nan("")), "-");
 }
 
 }  // namespace

@@ -26,6 +26,11 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+double largest(const std::vector<double>& values) {
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                        : *std::max_element(values.begin(), values.end());
+}
+
 std::vector<int> evenSubset(int count, int limit) {
   const int size = std::max(0, std::min(count, limit));
   std::vector<int> subset(size);

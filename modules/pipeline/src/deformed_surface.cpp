@@ -6,8 +6,7 @@ namespace posture {
 
 DeformedSurface deformedSurface(const Shape& source, const RegistrationResult& result) {
   if (result.source_scan) return {result.source_scan->mesh, result.surface_deformed};
-  return joinedSurface({registeredPoints(source, result.source_denoised), source.faces},
-                       result.deformed);
+  return joinedSurface(registeredMesh(source, {}, result.source_denoised), result.deformed);
 }
 
 }  // namespace posture

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/parallel.h>
 #include <posture/pipeline/register_shapes.h>
 
 #include "answer/attempt.h"
@@ -36,12 +37,6 @@ namespace {
 /// give so much more.
 constexpr double NEARLY_ALL = 0.9, CLEARLY_MORE = 0.05;
 
-/// Of the source's vertices, those with a counterpart.
-double mappedShare(const RegistrationResult& result) {
-  return static_cast<double>(mappedCount(result.correspondence.on_target)) /
-         static_cast<double>(result.correspondence.on_target.size());
-}
-
 /// What is taken of the attempts with holes as they are and closed, whether they have one answer or
 /// two.
 RegistrationResult bestOfBoth(Attempt as_given,
@@ -70,6 +65,31 @@ RegistrationResult bestOfBoth(Attempt as_given,
   return withMapOf(std::move(other.found), std::move(*map));
 }
 
+PartedSides partedSides(const GivenShape& source, const GivenShape& target) {
+  PartedSides parted;
+  parallelFor(2, [&](int side) {
+    const GivenShape& given = side == 0 ? source : target;
+    (side == 0 ? parted.source : parted.target) = partedSurface(given.input, given.clean);
+  });
+  return parted;
+}
+
+/// \param source_surface, target_surface  as withPatches() takes them.
+template <class Surface>
+PatchedSides patchedSides(const TriangleMesh& source,
+                          const Surface& source_surface,
+                          const TriangleMesh& target,
+                          const Surface& target_surface) {
+  PatchedSides patched;
+  parallelFor(2, [&](int side) {
+    if (side == 0)
+      patched.source = withPatches(source, source_surface);
+    else
+      patched.target = withPatches(target, target_surface);
+  });
+  return patched;
+}
+
 /// Registers the shapes as they are and, where there are holes to speak of, first with those closed
 /// that may be.
 RegistrationResult registerWhole(const GivenShape& source,
@@ -77,21 +97,17 @@ RegistrationResult registerWhole(const GivenShape& source,
                                  const RegistrationOptions& options,
                                  StageClock& clock) {
   constexpr double MANY_RIMS = 0.5;
-  const PartedSides parted = clock.stage("contacts", 0, [&] {
-    return PartedSides{partedSurface(source.input, source.clean),
-                       partedSurface(target.input, target.clean)};
-  });
+  const PartedSides parted =
+      clock.stage("contacts", 0, [&] { return partedSides(source, target); });
   const PatchedSides cut = clock.stage("holes", 0.01, [&] {
-    return PatchedSides{withPatches(source.input, parted.source),
-                        withPatches(target.input, parted.target)};
+    return patchedSides(source.input, parted.source, target.input, parted.target);
   });
   const bool many = std::max(cut.source.rims, cut.target.rims) > MANY_RIMS;
   std::optional<PatchedSides> uncut;
   std::function<const PatchedSides&()> makeUncut;
   if (parted.any())
     makeUncut = [&]() -> const PatchedSides& {
-      return uncut.emplace(PatchedSides{withPatches(source.input, source.clean),
-                                        withPatches(target.input, target.clean)});
+      return uncut.emplace(patchedSides(source.input, source.clean, target.input, target.clean));
     };
   std::optional<Attempt> closed;
   if (many)

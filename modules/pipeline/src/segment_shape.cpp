@@ -32,9 +32,7 @@ std::vector<double> residuals(const RigidSegments& parts,
 ShapeSegments segmentShape(const Shape& source, const std::vector<RegistrationResult>& poses) {
   require(!poses.empty(), "segmentShape: no pose");
   const std::optional<ScanSurface>& scan = poses.front().source_scan;
-  TriangleMesh rest =
-      scan ? scan->mesh
-           : TriangleMesh{registeredPoints(source, poses.front().source_denoised), source.faces};
+  TriangleMesh rest = registeredMesh(source, scan, poses.front().source_denoised);
   const Background background = leaveOutBackground(rest);
   ShapeSegments segments;
   segments.surface = cleanMesh(rest);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <posture/core/error.h>
+#include <posture/core/seconds_since.h>
 #include <posture/pipeline/observer.h>
 #include <posture/pipeline/register_shapes.h>
 
@@ -30,8 +31,7 @@ class StageClock {
     tell({label_.attempt, name, progress(), {}});
     const auto start = std::chrono::steady_clock::now();
     const auto end = [&] {
-      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-      timings_.push_back({label_.attempt, name, elapsed.count()});
+      timings_.push_back({label_.attempt, name, secondsSince(start)});
       progress_ += label_.portion * share;
     };
     if constexpr (std::is_void_v<decltype(work())>) {

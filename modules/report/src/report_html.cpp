@@ -41,12 +41,10 @@ std::string headline(const RegistrationResult& result) {
 
 std::string figures(const RegistrationResult& result) {
   const long accepted = mappedCount(result.correspondence.on_target), all = presentCount(result);
-  const double share = all == 0 ? 0 : 100.0 * double(accepted) / double(all);
   std::vector<std::vector<std::string>> rows = {
       {result.source_scan ? "Source points with a counterpart"
                           : "Source vertices with a counterpart",
-       std::to_string(accepted) + " of " + std::to_string(all) + " (" + formatFixed(share, 1) +
-           " %)"},
+       std::to_string(accepted) + " of " + std::to_string(all)},
       {"A source length times this is a target length", formatShort(result.scale)}};
   if (!result.hypotheses.empty()) {
     rows.push_back({"Energy of the runner-up over that of the chosen candidate",

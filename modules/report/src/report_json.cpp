@@ -131,7 +131,7 @@ Json describeTrust(const RegistrationResult& result) {
     confidence += result.correspondence.confidence(i);
   Json trust = {{"source_vertices", all},
                 {"accepted_vertices", accepted},
-                {"accepted_share", share(double(accepted), double(all))},
+                {"accepted_share", number(mappedShare(result))},
                 {"mean_confidence_of_accepted", share(confidence, double(accepted))}};
   if (isPublished(result)) trust["runner_up_energy_ratio"] = number(runnerUpRatio(result));
   if (!result.alternatives.empty()) {

@@ -153,6 +153,10 @@ std::string formatFixed(double value, int decimals) {
   return format(value, std::chars_format::fixed, decimals);
 }
 
+std::string formatPercent(double share, int decimals) {
+  return std::isfinite(share) ? formatFixed(100 * share, decimals) + " %" : "-";
+}
+
 std::string formatShort(double value, int digits) {
   return format(value, std::chars_format::general, digits);
 }

@@ -21,7 +21,7 @@ std::string howMuchIsMapped(const RegistrationResult& result) {
   const long mapped = mappedCount(result.correspondence.on_target), all = presentCount(result);
   return std::to_string(mapped) + " of " + std::to_string(all) +
          (result.source_scan ? " source points" : " source vertices") + " have a counterpart (" +
-         percent(static_cast<double>(mapped) / static_cast<double>(all)) + ")";
+         percent(mappedShare(result)) + ")";
 }
 
 std::string whyNotAsPublished(const HypothesisSummary& chosen) {

@@ -3,6 +3,7 @@
 #include "sides/clean_sides.h"
 
 #include <posture/core/error.h>
+#include <posture/core/parallel.h>
 #include <posture/mesh/denoise.h>
 
 #include <stdexcept>
@@ -50,7 +51,13 @@ void goBy(const CleanMesh& other, CleanMesh& clean) {
 }  // namespace
 
 CleanSides cleanSides(SideSurface& source, SideSurface& target) {
-  CleanSides clean{cleanSide("source", source), cleanSide("target", target)};
+  CleanSides clean;
+  parallelFor(2, [&](int side) {
+    if (side == 0)
+      clean.source = cleanSide("source", source);
+    else
+      clean.target = cleanSide("target", target);
+  });
   if (source.scan || target.scan) return clean;
   goBy(clean.target, clean.source);
   goBy(clean.source, clean.target);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/finished_surface.h"
 
+#include <posture/mesh/connected_parts.h>
+
 #include "surface/doubts.h"
 #include "surface/repair.h"
 #include <cstddef>
@@ -26,7 +28,7 @@ void describe(const TriangleMesh& mesh, double spacing, ReconstructionSummary& s
   const int n = static_cast<int>(mesh.vertices.rows());
   summary.vertices = n;
   summary.faces = static_cast<int>(mesh.faces.rows());
-  summary.components = countPieces(mesh.faces, n);
+  summary.components = static_cast<int>(connectedParts(mesh).area.size());
   for (const std::vector<int>& loop : boundaryLoops(mesh.faces, n)) {
     ++summary.boundary_loops;
     for (std::size_t k = 0; k < loop.size(); ++k)

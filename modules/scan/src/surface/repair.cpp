@@ -199,11 +199,4 @@ TriangleMesh withoutLooseVertices(const TriangleMesh& mesh, std::vector<int>& ke
   return smaller;
 }
 
-int countPieces(const Faces& faces, int vertex_count) {
-  const std::vector<int> piece = leastOfPart(faces, vertex_count);
-  std::vector<char> used(vertex_count, 0);
-  for (int f = 0; f < faces.rows(); ++f) used[piece[faces(f, 0)]] = 1;
-  return static_cast<int>(std::count(used.begin(), used.end(), 1));
-}
-
 }  // namespace posture

@@ -26,7 +26,4 @@ Faces withoutSmallPieces(const Faces& faces, int vertex_count, int least, int& d
 /// Leaves out vertices in no face. `kept` has the vertex each new one was.
 TriangleMesh withoutLooseVertices(const TriangleMesh& mesh, std::vector<int>& kept);
 
-/// Connected pieces.
-int countPieces(const Faces& faces, int vertex_count);
-
 }  // namespace posture

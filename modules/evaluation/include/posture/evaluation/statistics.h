@@ -13,6 +13,9 @@ double percentile(std::vector<double> values, double q);
 /// NaN where there are no values.
 double mean(const std::vector<double>& values);
 
+/// NaN where there are no values.
+double largest(const std::vector<double>& values);
+
 /// At most `limit` of the numbers 0 .. count - 1, evenly spread, increasing.
 std::vector<int> evenSubset(int count, int limit);
 

@@ -60,7 +60,8 @@ struct HypothesisSummary {
 /// REFINED: one of the different answers that were compared. The terms of the score are those of
 /// MapScore, on coarse meshes; lower is better.
 struct AlternativeSummary {
-  double orientation = 0;  ///< of the candidate it began as, in [-1, 1]; 1: the outside stays out
+  double orientation = 0;  ///< in [-1, 1]; 1: the outside stays out. Of the candidate it began as;
+                           ///< of the map itself if that was changed before it was bent
   double bending = 0;
   double curvature = 0;
   double distortion = 0;
@@ -142,10 +143,24 @@ inline long presentCount(const RegistrationResult& result) {
   return result.source_scan ? rows - result.source_scan->summary.missing : rows;
 }
 
+/// Of these, those with a counterpart; NaN where there are none.
+inline double mappedShare(const RegistrationResult& result) {
+  return static_cast<double>(mappedCount(result.correspondence.on_target)) /
+         static_cast<double>(presentCount(result));
+}
+
 /// The vertices of a mesh as they were registered; the points of a cloud.
 /// \param denoised  of this side, in the result.
 inline const Points& registeredPoints(const Shape& given, const Points& denoised) {
   return denoised.rows() > 0 ? denoised : given.cloud.points;
+}
+
+/// The mesh of a side as it was registered, given or laid through the points.
+/// \param scan, denoised  of this side, in the result.
+inline TriangleMesh registeredMesh(const Shape& given,
+                                   const std::optional<ScanSurface>& scan,
+                                   const Points& denoised) {
+  return scan ? scan->mesh : TriangleMesh{registeredPoints(given, denoised), given.faces};
 }
 
 /// Finds the dense correspondence of two meshes.

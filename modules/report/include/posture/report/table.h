@@ -22,6 +22,9 @@ std::string toCsv(const TextTable& table);       ///< RFC 4180, fields quoted wh
 /// With so many decimals, whatever the locale; "-" for infinity and NaN.
 std::string formatFixed(double value, int decimals);
 
+/// A share of 1 in per cent, "12.5 %"; "-" as above.
+std::string formatPercent(double share, int decimals = 1);
+
 /// With so many significant digits, 0.00123 or, where it is far from 1, 1.23e-06 (as %g of
 /// printf()); "-" as above.
 std::string formatShort(double value, int digits = 4);
