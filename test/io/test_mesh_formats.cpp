@@ -76,11 +76,12 @@ struct CutPolygon {
       sum += part;
       for (int v : t) most = std::max(most, ++of_corner[v]);
     }
+    fewest = *std::min_element(of_corner.begin(), of_corner.end());
     count = static_cast<int>(triangles.rows());
   }
 
   double area = 0, sum = 0, least = 1e9;
-  int count = 0, most = 0;  // triangles, and those at one corner
+  int count = 0, fewest = 0, most = 0;  // triangles, and those at one corner
 };
 
 TEST(Obj, concavePolygonsAreCutWithin) {
@@ -89,6 +90,18 @@ TEST(Obj, concavePolygonsAreCutWithin) {
       {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}},
       {{0, 0}, {2, -1}, {0, 3}, {-2, -1}},
       {{2, -1}, {0, 3}, {-2, -1}, {0, 0}},
+      {{2, 5},
+       {2, 4},
+       {0, 6},
+       {1, 0},
+       {4, 0},
+       {6, 0},
+       {7, 1},
+       {6, 2},
+       {7, 4},
+       {5, 2},
+       {6, 6},
+       {2, 7}},
       {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}}};
   for (std::size_t k = 0; k < shapes.size(); ++k)
     for (std::size_t from = 0; from < shapes[k].size(); ++from) {
@@ -112,9 +125,14 @@ TEST(Obj, noCornerOfALargePolygonGetsManyTriangles) {
 }
 
 TEST(Obj, polygonsWithoutAreaAreCutAsWell) {
-  EXPECT_EQ(CutPolygon({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {1.5, 0}}).count, 3);
-  EXPECT_EQ(CutPolygon({{1, 1}, {1, 1}, {1, 1}, {1, 1}}).count, 2);
-  EXPECT_EQ(CutPolygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}).count, 2) << "crosses itself";
+  for (const std::vector<Eigen::Vector2d>& corners :
+       std::vector<std::vector<Eigen::Vector2d>>{{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {1.5, 0}},
+                                                 {{1, 1}, {1, 1}, {1, 1}, {1, 1}},
+                                                 {{0, 0}, {2, 2}, {2, 0}, {0, 2}}}) {
+    const CutPolygon cut(corners);
+    EXPECT_GE(cut.fewest, 1) << "each corner is used";
+    EXPECT_NEAR(cut.sum, cut.area, 1e-12);
+  }
 }
 
 TEST(Obj, negativeIndicesCountBackFromWhereTheyStand) {

@@ -105,6 +105,7 @@ TEST(LeaveOutBackground, aPlaceOfTheBodyIsTheBodysWhicheverVertexIsTheFirstThere
   EXPECT_EQ(background.vertices[n + foot], 0);
   EXPECT_EQ(background.vertices[at_foot], 0);
   EXPECT_EQ(background.vertices[at_foot + 1], 1);
+  EXPECT_EQ(background.left_over, 1);
 }
 
 TEST_F(OnFloors, floorsHaveNoCounterpartAndNoPart) {

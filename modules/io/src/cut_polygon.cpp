@@ -14,7 +14,8 @@ using Eigen::Vector3d;
 /// What is left of a polygon while ears are taken off.
 class Ring {
  public:
-  explicit Ring(const Points& corners) : before_(corners.rows()), after_(corners.rows()) {
+  explicit Ring(const Points& corners)
+      : before_(corners.rows()), after_(corners.rows()), blocked_(corners.rows()) {
     const int n = static_cast<int>(corners.rows());
     for (int i = 0; i < n; ++i) {
       before_[i] = (i + n - 1) % n;
@@ -25,6 +26,7 @@ class Ring {
     const double size = (corners.rowwise() - origin).cwiseAbs().maxCoeff();
     places_ = (corners.rowwise() - origin) / (size > 0 ? size : 1);
     for (int i = 0; i < n; ++i) normal_ += at(i).cross(at(after_[i]));
+    normal_.normalize();
     for (int i = 0; i < n; ++i)
       if (!(turn(before_[i], i, after_[i]) > 0)) reflex_.push_back(i);
   }
@@ -33,12 +35,17 @@ class Ring {
   int after(int i) const { return after_[i]; }
 
   /// Whether the corner sticks out, and none of what is left lies in the triangle there.
-  bool isEar(int i) const {
+  bool isEar(int i) {
     const int a = before_[i], c = after_[i];
     if (!(turn(a, i, c) > 0)) return false;
+    Blocked& known = blocked_[i];
+    if (known.by >= 0 && known.before == a && known.after == c && !isGone(known.by)) return false;
     for (int other : reflex_) {
-      if (isAt(other, a) || isAt(other, i) || isAt(other, c) || isGone(other)) continue;
-      if (turn(a, i, other) >= 0 && turn(i, c, other) >= 0 && turn(c, a, other) >= 0) return false;
+      if (isGone(other) || isAt(other, a) || isAt(other, i) || isAt(other, c)) continue;
+      if (turn(a, i, other) < OUTSIDE || turn(i, c, other) < OUTSIDE || turn(c, a, other) < OUTSIDE)
+        continue;
+      known = {other, a, c};
+      return false;
     }
     return true;
   }
@@ -49,6 +56,14 @@ class Ring {
   }
 
  private:
+  /// What lies on a side is in the triangle, as rounding has it: places are at most 1.
+  static constexpr double OUTSIDE = -1e-14;
+
+  /// What was found in the triangle at a corner between these two.
+  struct Blocked {
+    int by = -1, before = -1, after = -1;
+  };
+
   Vector3d at(int i) const { return places_.row(i); }
 
   /// The same corner or one at its place, as where a bridge leads to a hole.
@@ -56,12 +71,13 @@ class Ring {
 
   bool isGone(int i) const { return after_[before_[i]] != i; }
 
-  /// Twice the area of a triangle as seen along the normal, times its length; > 0: to the left.
+  /// Twice the area of a triangle as seen along the normal; > 0: to the left.
   double turn(int a, int b, int c) const {
     return normal_.dot((at(b) - at(a)).cross(at(c) - at(a)));
   }
 
   std::vector<int> before_, after_;
+  std::vector<Blocked> blocked_;
   Points places_;
   Vector3d normal_ = Vector3d::Zero();
   std::vector<int> reflex_;  // corners that do not stick out at first: only these may be in an ear

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_builder.h"
 
+#include <posture/core/error.h>
+
 #include "color_byte.h"
 #include "cut_polygon.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -72,8 +75,10 @@ void MeshBuilder::cutPolygons(const Points& vertices) {
     const auto begin = corners_.begin() + static_cast<std::ptrdiff_t>(3 * first);
     std::vector<int> polygon{begin[0], begin[1]};
     for (int i = 0; i < count; ++i) polygon.push_back(begin[3 * i + 2]);
+    const std::vector<std::array<int, 3>> triangles = cutPolygon(vertices(polygon, Eigen::all));
+    require(static_cast<int>(triangles.size()) == count, "cutPolygon: not as many as a fan has");
     auto at = begin;
-    for (const std::array<int, 3>& triangle : cutPolygon(vertices(polygon, Eigen::all)))
+    for (const std::array<int, 3>& triangle : triangles)
       for (int corner : triangle) *at++ = polygon[corner];
   }
 }

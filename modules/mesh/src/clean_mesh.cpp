@@ -179,9 +179,10 @@ Faces facedAlike(const Faces& input, const CleanMesh& clean) {
 }
 
 int cornerPlaces(const TriangleMesh& mesh, int vertices) {
-  const auto n = static_cast<int>(mesh.vertices.rows());
-  const std::vector<char> is_corner =
-      cornersOfFaces(weldedFaces(mesh.faces, weld(mesh.vertices)), n);
+  const std::vector<int> first = weld(mesh.vertices);
+  Faces faces = mesh.faces;
+  for (int& v : faces.reshaped()) v = first[v];
+  const std::vector<char> is_corner = cornersOfFaces(faces, static_cast<int>(first.size()));
   return static_cast<int>(std::count(is_corner.begin(), is_corner.begin() + vertices, 1));
 }
 

@@ -65,15 +65,6 @@ RegistrationResult bestOfBoth(Attempt as_given,
   return withMapOf(std::move(other.found), std::move(*map));
 }
 
-PartedSides partedSides(const GivenShape& source, const GivenShape& target) {
-  PartedSides parted;
-  parallelFor(2, [&](int side) {
-    const GivenShape& given = side == 0 ? source : target;
-    (side == 0 ? parted.source : parted.target) = partedSurface(given.input, given.clean);
-  });
-  return parted;
-}
-
 /// \param source_surface, target_surface  as withPatches() takes them.
 template <class Surface>
 PatchedSides patchedSides(const TriangleMesh& source,
@@ -97,8 +88,10 @@ RegistrationResult registerWhole(const GivenShape& source,
                                  const RegistrationOptions& options,
                                  StageClock& clock) {
   constexpr double MANY_RIMS = 0.5;
-  const PartedSides parted =
-      clock.stage("contacts", 0, [&] { return partedSides(source, target); });
+  const PartedSides parted = clock.stage("contacts", 0, [&] {
+    return PartedSides{partedSurface(source.input, source.clean),
+                       partedSurface(target.input, target.clean)};
+  });
   const PatchedSides cut = clock.stage("holes", 0.01, [&] {
     return patchedSides(source.input, parted.source, target.input, parted.target);
   });

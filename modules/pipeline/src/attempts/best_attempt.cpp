@@ -164,7 +164,7 @@ RegistrationResult bestAttempt(std::vector<Attempt> attempts,
     }
     AlternativeSummary summary = other.known().alternatives[other.known().chosen];
     summary.gap = rival.gap;
-    // Ends of limbs are compared within an attempt alone.
+    // Ends of limbs are compared within an attempt alone: it is worse by what the score says.
     if (const auto& refined = result.alternatives[result.chosen].refined_score;
         refined && summary.refined_score)
       summary.refined_score = *refined + other.known().score - result.score;

@@ -18,7 +18,7 @@ void forgetBackground(const SideSurface& surface, CleanMesh& clean) {
   if (background.faces == 0) return;
   std::vector<char> is_corner(background.vertices.size(), 0);
   for (int v : surface.mesh.faces.reshaped()) is_corner[v] = 1;
-  int unreferenced = 0, loose = 0;
+  int unreferenced = background.left_over, loose = 0;
   for (std::size_t v = 0; v < is_corner.size(); ++v)
     if (background.vertices[v] != 0) {
       unreferenced += is_corner[v] == 0;

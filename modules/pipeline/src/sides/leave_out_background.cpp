@@ -21,9 +21,14 @@ Background leaveOutBackground(TriangleMesh& mesh) {
         for (int v : mesh.faces.row(f)) found.vertices[v] = of_background;
   // What stands for all vertices at a place of the body is the body's.
   const std::vector<int> first = weld(mesh.vertices);
+  std::vector<int> at_body;
   for (int f = 0; f < mesh.faces.rows(); ++f)
     if (background[f] == 0)
-      for (int v : mesh.faces.row(f)) found.vertices[first[v]] = 0;
+      for (int v : mesh.faces.row(f))
+        if (found.vertices[first[v]] != 0) {
+          found.vertices[first[v]] = 0;
+          at_body.push_back(first[v]);
+        }
   for (int f = 0; f < mesh.faces.rows(); ++f) {
     if (background[f] == 0) continue;
     // Not one of the body's, if there is another: points in the face go where that goes.
@@ -33,6 +38,9 @@ Background leaveOutBackground(TriangleMesh& mesh) {
     const int corner = own != corners.end() ? *own : corners[0];
     corners.setConstant(corner);
   }
+  std::vector<char> in_face(mesh.vertices.rows(), 0);
+  for (int v : mesh.faces.reshaped()) in_face[v] = 1;
+  for (int v : at_body) found.left_over += in_face[v] == 0;
   return found;
 }
 
