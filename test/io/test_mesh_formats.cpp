@@ -115,6 +115,20 @@ TEST(Obj, concavePolygonsAreCutWithin) {
     }
 }
 
+TEST(Obj, anEarDoesNotPassBeforeACornerThatLiesOnItsSide) {
+  const MeshFile file = parse(".obj",
+                              "v 2 7 0\nv 6 6 0\nv 5 2 0\nv 7 4 0\nv 6 2 0\nv 7 1 0\nv 6 0 0\n"
+                              "v 4 0 0\nv 1 0 0\nv 0 6 0\nv 2 4 0\nv 2 5 0\n"
+                              "f 1 2 3 4 5 6 7 8 9 10 11 12\n");
+  double covered = 0;
+  for (const auto& t : file.mesh.faces.rowwise()) {
+    const Eigen::RowVector3d ab = file.mesh.vertices.row(t[1]) - file.mesh.vertices.row(t[0]),
+                             ac = file.mesh.vertices.row(t[2]) - file.mesh.vertices.row(t[0]);
+    covered += std::abs(ab.x() * ac.y() - ab.y() * ac.x()) / 2;
+  }
+  EXPECT_NEAR(covered, 33, 1e-9) << "its area; overlapping triangles have more";
+}
+
 TEST(Obj, noCornerOfALargePolygonGetsManyTriangles) {
   std::vector<Eigen::Vector2d> corners;
   for (int i = 0; i < 1000; ++i)
