@@ -12,8 +12,8 @@
 #include <posture/core/seconds_since.h>
 #include <posture/geodesic/fast_marching.h>
 #include <posture/io/mesh_io.h>
+#include <posture/mesh/areas.h>
 #include <posture/mesh/clean_mesh.h>
-#include <posture/mesh/edges.h>
 #include <posture/mesh/half_edge_mesh.h>
 #include <posture/mesh/normals.h>
 #include <posture/mesh/point_index.h>

@@ -12,8 +12,8 @@
 #include <posture/io/mesh_io.h>
 #include <posture/matching/candidates.h>
 #include <posture/matching/consistency.h>
+#include <posture/mesh/areas.h>
 #include <posture/mesh/clean_mesh.h>
-#include <posture/mesh/edges.h>
 
 #include <algorithm>
 #include <cstdio>

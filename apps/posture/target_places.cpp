@@ -7,6 +7,7 @@
 #include <posture/core/median.h>
 #include <posture/io/correspondence_io.h>
 #include <posture/io/mesh_io.h>
+#include <posture/mesh/areas.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/point_index.h>
 

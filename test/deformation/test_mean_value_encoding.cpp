@@ -4,7 +4,6 @@
 #include <posture/deformation/mean_value_encoding.h>
 #include <posture/io/mesh_io.h>
 #include <posture/mesh/clean_mesh.h>
-#include <posture/mesh/edges.h>
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include <posture/core/rng.h>
 #include <posture/deformation/reduce_mesh.h>
 #include <posture/geodesic/fast_marching.h>
+#include <posture/mesh/areas.h>
 #include <posture/mesh/clean_mesh.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/half_edge_mesh.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/areas.h>
 #include <posture/mesh/bridge_pieces.h>
 #include <posture/mesh/connected_parts.h>
-#include <posture/mesh/edges.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/mesh/clean_mesh.h>
-#include <posture/mesh/edges.h>
+#include <posture/mesh/corners.h>
 #include <posture/mesh/normals.h>
 
 #include <Eigen/Geometry>

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/areas.h>
+#include <posture/mesh/corners.h>
+#include <posture/mesh/deformation_scale.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/position_of.h>
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/mesh/connected_parts.h>
+#include <posture/mesh/edges.h>
 #include <posture/mesh/half_edge_mesh.h>
 #include <posture/mesh/handles.h>
 #include <posture/mesh/normals.h>
-#include <posture/mesh/vertex_neighbors.h>
 #include <posture/pipeline/register_shapes.h>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <posture/io/correspondence_io.h>
 #include <posture/io/mesh_io.h>
 #include <posture/io/shape_io.h>
-#include <posture/mesh/edges.h>
+#include <posture/mesh/areas.h>
 #include <posture/pipeline/register_shapes.h>
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/rng.h>
-#include <posture/mesh/edges.h>
+#include <posture/mesh/areas.h>
 #include <posture/refine/map_score.h>
 
 #include <Eigen/Geometry>

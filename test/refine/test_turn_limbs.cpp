@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/mesh/edges.h>
 #include <posture/refine/turn_limbs.h>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <posture/mesh/edges.h>
+#include <posture/mesh/areas.h>
 
 namespace posture::test {
 

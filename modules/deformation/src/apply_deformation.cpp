@@ -7,6 +7,7 @@
 #include <posture/deformation/apply_deformation.h>
 #include <posture/deformation/arap.h>
 #include <posture/mesh/clean_mesh.h>
+#include <posture/mesh/deformation_scale.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/nearest_on_faces.h>
 #include <posture/mesh/point_index.h>

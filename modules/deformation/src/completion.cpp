@@ -7,6 +7,7 @@
 #include <posture/deformation/completion.h>
 #include <posture/deformation/mean_value_encoding.h>
 #include <posture/deformation/reduce_mesh.h>
+#include <posture/mesh/deformation_scale.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
 #include <posture/mesh/position_of.h>

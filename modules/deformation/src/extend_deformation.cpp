@@ -4,7 +4,7 @@
 #include <posture/deformation/apply_deformation.h>
 #include <posture/deformation/arap.h>
 #include <posture/deformation/extend_deformation.h>
-#include <posture/mesh/edges.h>
+#include <posture/mesh/areas.h>
 #include <posture/mesh/vertex_neighbors.h>
 
 #include <algorithm>

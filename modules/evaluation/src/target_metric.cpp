@@ -3,8 +3,8 @@
 #include <posture/core/error.h>
 #include <posture/core/parallel.h>
 #include <posture/evaluation/target_metric.h>
+#include <posture/mesh/areas.h>
 #include <posture/mesh/denoise.h>
-#include <posture/mesh/edges.h>
 #include <posture/mesh/position_of.h>
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include <posture/core/error.h>
 #include <posture/core/parallel.h>
 #include <posture/geodesic/landmarks.h>
+#include <posture/mesh/corners.h>
 #include <posture/mesh/edges.h>
 
 #include <algorithm>

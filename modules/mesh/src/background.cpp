@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/rng.h>
+#include <posture/mesh/areas.h>
 #include <posture/mesh/background.h>
-#include <posture/mesh/edges.h>
 #include <posture/mesh/require_mesh.h>
 
 #include <Eigen/Eigenvalues>

@@ -178,12 +178,4 @@ Faces facedAlike(const Faces& input, const CleanMesh& clean) {
   return faces;
 }
 
-int cornerPlaces(const TriangleMesh& mesh, int vertices) {
-  const std::vector<int> first = weld(mesh.vertices);
-  Faces faces = mesh.faces;
-  for (int& v : faces.reshaped()) v = first[v];
-  const std::vector<char> is_corner = cornersOfFaces(faces, static_cast<int>(first.size()));
-  return static_cast<int>(std::count(is_corner.begin(), is_corner.begin() + vertices, 1));
-}
-
 }  // namespace posture

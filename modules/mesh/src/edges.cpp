@@ -1,13 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/core/median.h>
 #include <posture/mesh/edges.h>
-#include <posture/mesh/vertex_neighbors.h>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 namespace posture {
@@ -71,63 +66,11 @@ double meanEdgeLength(const TriangleMesh& mesh) {
   return edges.empty() ? 0 : sum / static_cast<double>(edges.size());
 }
 
-double medianEdgeRatio(const TriangleMesh& mesh, const Points& places) {
-  std::vector<double> ratios;
-  for (const Edge& e : meshEdges(mesh.faces)) {
-    const double before = (mesh.vertices.row(e.first) - mesh.vertices.row(e.second)).norm();
-    const double after = (places.row(e.first) - places.row(e.second)).norm();
-    if (before > 0 && after > 0) ratios.push_back(after / before);
-  }
-  return ratios.empty() ? 1 : median(std::move(ratios));
-}
-
-double scaleWithoutNoise(const TriangleMesh& mesh, const Points& places) {
-  constexpr int PASSES = 5;
-  const int n = static_cast<int>(places.rows());
-  const VertexNeighbors neighbors(mesh.faces, n);
-  const auto smoothed = [&](Points at) {
-    for (int pass = 0; pass < PASSES; ++pass) {
-      const Points before = at;
-      for (int v = 0; v < n; ++v) {
-        double count = 1;
-        for (const int* w = neighbors.begin(v); w != neighbors.end(v); ++w, ++count)
-          at.row(v) += before.row(*w);
-        at.row(v) /= count;
-      }
-    }
-    return at;
-  };
-  return medianEdgeRatio({smoothed(mesh.vertices), mesh.faces}, smoothed(places));
-}
-
-Vector faceAreas(const TriangleMesh& mesh) {
-  Vector areas(mesh.faces.rows());
-  for (int f = 0; f < mesh.faces.rows(); ++f) {
-    const Eigen::Vector3d a = mesh.vertices.row(mesh.faces(f, 0));
-    const Eigen::Vector3d b = mesh.vertices.row(mesh.faces(f, 1));
-    const Eigen::Vector3d c = mesh.vertices.row(mesh.faces(f, 2));
-    areas[f] = (b - a).cross(c - a).norm() / 2;
-  }
-  return areas;
-}
-
-double surfaceArea(const TriangleMesh& mesh) { return faceAreas(mesh).sum(); }
-
-double rootArea(const TriangleMesh& mesh) { return std::sqrt(surfaceArea(mesh)); }
-
-std::vector<char> cornersOfFaces(const Faces& faces, int vertex_count) {
-  std::vector<char> is_corner(vertex_count, 0);
-  for (const auto& face : faces.rowwise())
-    if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0])
-      for (int v : face) is_corner[v] = 1;
-  return is_corner;
-}
-
-std::vector<int> faceOfEachVertex(const Faces& faces, int vertex_count) {
-  std::vector<int> face_of(vertex_count, -1);
-  for (int f = static_cast<int>(faces.rows()) - 1; f >= 0; --f)
-    for (int k = 0; k < 3; ++k) face_of[faces(f, k)] = f;
-  return face_of;
+std::vector<char> boundaryVertices(const Faces& faces, int vertex_count) {
+  std::vector<char> on_boundary(vertex_count, 0);
+  for (const Edge& e : meshEdges(faces))
+    if (e.faces == 1) on_boundary[e.first] = on_boundary[e.second] = 1;
+  return on_boundary;
 }
 
 }  // namespace posture

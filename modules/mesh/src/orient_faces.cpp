@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "orient_faces.h"
 
+#include <posture/mesh/areas.h>
 #include <posture/mesh/edges.h>
 
 #include <Eigen/Geometry>

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/mesh/edges.h>
 #include <posture/mesh/split_long_edges.h>
 
 #include <algorithm>
@@ -132,22 +131,6 @@ SplitMesh splitLongEdges(const TriangleMesh& mesh, int count) {
   Splitter splitter(mesh);
   splitter.run(static_cast<std::size_t>(std::max(count, 0)));
   return splitter.result();
-}
-
-double coarseness(const TriangleMesh& mesh) {
-  const Vector areas = faceAreas(mesh);
-  double sum = 0;
-  for (int f = 0; f < mesh.faces.rows(); ++f) {
-    double longest = 0;
-    for (int k = 0; k < 3; ++k)
-      longest = std::max(
-          longest,
-          (mesh.vertices.row(mesh.faces(f, k)) - mesh.vertices.row(mesh.faces(f, (k + 1) % 3)))
-              .squaredNorm());
-    sum += areas[f] * longest;
-  }
-  const double area = areas.sum();
-  return area > 0 ? std::sqrt(sum) / area : 0;
 }
 
 }  // namespace posture

@@ -52,11 +52,4 @@ VertexFaces::VertexFaces(const Faces& faces, int vertex_count)
     for (int k = 0; k < 3; ++k) faces_[next[faces(f, k)]++] = f;
 }
 
-std::vector<char> boundaryVertices(const Faces& faces, int vertex_count) {
-  std::vector<char> on_boundary(vertex_count, 0);
-  for (const Edge& e : meshEdges(faces))
-    if (e.faces == 1) on_boundary[e.first] = on_boundary[e.second] = 1;
-  return on_boundary;
-}
-
 }  // namespace posture

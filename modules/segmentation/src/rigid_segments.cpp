@@ -4,6 +4,9 @@
 #include <posture/core/median.h>
 #include <posture/core/unions.h>
 #include <posture/geodesic/landmarks.h>
+#include <posture/mesh/areas.h>
+#include <posture/mesh/corners.h>
+#include <posture/mesh/deformation_scale.h>
 #include <posture/mesh/edges.h>
 #include <posture/segmentation/rigid_segments.h>
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "attempts/leave_out_patches.h"
 
+#include <posture/mesh/areas.h>
+#include <posture/mesh/corners.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/position_of.h>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outcome/left_out_parts.h"
 
+#include <posture/mesh/areas.h>
 #include <posture/mesh/connected_parts.h>
-#include <posture/mesh/edges.h>
 #include <posture/mesh/weld.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "published/published_result.h"
 
-#include <posture/mesh/edges.h>
+#include <posture/mesh/corners.h>
 #include <posture/mesh/position_of.h>
 
 #include "answer/verdict.h"

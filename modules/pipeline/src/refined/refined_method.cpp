@@ -4,6 +4,7 @@
 
 #include <posture/core/error.h>
 #include <posture/core/parallel.h>
+#include <posture/mesh/corners.h>
 #include <posture/refine/let_go.h>
 
 #include "answer/verdict.h"

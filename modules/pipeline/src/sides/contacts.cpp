@@ -6,9 +6,9 @@
 #include <posture/core/parallel.h>
 #include <posture/core/shortest_ways.h>
 #include <posture/deformation/reduce_mesh.h>
+#include <posture/mesh/areas.h>
 #include <posture/mesh/connected_parts.h>
 #include <posture/mesh/edge_paths.h>
-#include <posture/mesh/edges.h>
 #include <posture/mesh/half_edge_mesh.h>
 #include <posture/mesh/handles.h>
 #include <posture/mesh/vertex_neighbors.h>

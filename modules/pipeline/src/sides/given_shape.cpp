@@ -5,9 +5,9 @@
 #include <posture/core/error.h>
 #include <posture/deformation/follow_matches.h>
 #include <posture/geodesic/fast_marching.h>
+#include <posture/mesh/areas.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
-#include <posture/mesh/vertex_neighbors.h>
 #include <posture/mesh/weld.h>
 
 namespace posture {

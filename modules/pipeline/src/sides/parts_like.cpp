@@ -5,6 +5,7 @@
 #include <posture/core/unions.h>
 #include <posture/deformation/reduce_mesh.h>
 #include <posture/geodesic/landmarks.h>
+#include <posture/mesh/areas.h>
 #include <posture/mesh/edges.h>
 #include <posture/refine/place_piece.h>
 

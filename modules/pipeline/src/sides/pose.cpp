@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sides/pose.h"
 
-#include <posture/mesh/edges.h>
+#include <posture/mesh/areas.h>
 #include <posture/mesh/moment_axes.h>
 
 #include <algorithm>

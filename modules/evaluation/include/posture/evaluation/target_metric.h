@@ -5,6 +5,7 @@
 #include <posture/core/correspondence.h>
 #include <posture/core/types.h>
 #include <posture/geodesic/fast_marching.h>
+#include <posture/mesh/areas.h>
 #include <posture/mesh/clean_mesh.h>
 #include <posture/mesh/vertex_neighbors.h>
 

@@ -68,7 +68,4 @@ void turnOver(CleanMesh& clean);
 /// \throws std::invalid_argument  `clean` is of an input with more faces or fewer.
 Faces facedAlike(const Faces& input, const CleanMesh& clean);
 
-/// How many different places corners of faces with three are in, of the first `vertices` vertices.
-int cornerPlaces(const TriangleMesh& mesh, int vertices);
-
 }  // namespace posture

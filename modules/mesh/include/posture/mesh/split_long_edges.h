@@ -30,8 +30,4 @@ struct SplitMesh {
 /// \param mesh  each face with three different corners: see cleanMesh().
 SplitMesh splitLongEdges(const TriangleMesh& mesh, int count);
 
-/// How far apart the vertices of a surface are: the longest edge of a face, as the root mean square
-/// over the surface, in square roots of its area. 0 where there is none.
-double coarseness(const TriangleMesh& mesh);
-
 }  // namespace posture

@@ -40,7 +40,4 @@ class VertexFaces {
   std::vector<int> faces_;
 };
 
-/// n, non-zero for the ends of edges with a single face.
-std::vector<char> boundaryVertices(const Faces& faces, int vertex_count);
-
 }  // namespace posture

@@ -3,6 +3,8 @@
 #include "refined/completion/loose_pieces.h"
 
 #include <posture/core/unions.h>
+#include <posture/mesh/areas.h>
+#include <posture/mesh/corners.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/point_index.h>
 #include <posture/mesh/rigid_motion.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refined/completion/target_part.h"
 
-#include <posture/mesh/edges.h>
+#include <posture/mesh/corners.h>
 #include <posture/mesh/nearest_on_faces.h>
 #include <posture/mesh/rigid_motion.h>
 #include <posture/mesh/weld.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refined/completion/way_back.h"
 
-#include <posture/mesh/edges.h>
+#include <posture/mesh/areas.h>
 #include <posture/mesh/position_of.h>
 
 #include "refined/refinement/refined_result.h"
