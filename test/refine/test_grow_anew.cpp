@@ -4,6 +4,7 @@
 #include <posture/mesh/point_index.h>
 #include <posture/refine/grow_anew.h>
 #include <posture/refine/partners.h>
+#include <posture/refine/settle.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/deformation/reduce_mesh.h>
+#include <posture/refine/bent_pair.h>
+#include <posture/refine/conform.h>
 #include <posture/refine/lay_over.h>
 
 #include <Eigen/Geometry>

@@ -3,6 +3,7 @@
 #include <posture/mesh/edges.h>
 #include <posture/refine/let_go.h>
 #include <posture/refine/partners.h>
+#include <posture/refine/settle.h>
 
 #include <gtest/gtest.h>
 

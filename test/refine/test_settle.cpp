@@ -4,6 +4,8 @@
 #include <posture/mesh/clean_mesh.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/point_index.h>
+#include <posture/refine/bent_pair.h>
+#include <posture/refine/carry_up.h>
 #include <posture/refine/settle.h>
 
 #include <Eigen/Geometry>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/refine/settle.h>
 #include <posture/refine/turn_limbs.h>
 
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 #include <posture/mesh/normals.h>
 #include <posture/refine/extend_map.h>
 #include <posture/refine/let_go.h>
+#include <posture/refine/settle.h>
 
 #include "lay_anew.h"
 #include "rings_around.h"

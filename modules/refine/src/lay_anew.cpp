@@ -4,7 +4,9 @@
 
 #include <posture/mesh/edges.h>
 #include <posture/mesh/rigid_motion.h>
-#include <posture/refine/lay_over.h>
+#include <posture/refine/bent_pair.h>
+#include <posture/refine/conform.h>
+#include <posture/refine/settle.h>
 
 #include <Eigen/Geometry>
 

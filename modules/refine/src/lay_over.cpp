@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/median.h>
 #include <posture/core/parallel.h>
+#include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
 #include <posture/refine/lay_over.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
-#include "belief.h"
 #include "closest_pairs.h"
 #include "even_rotations.h"
-#include "nearest_rows.h"
-#include "pose_features.h"
+#include "robust_weight.h"
 #include <algorithm>
 #include <cmath>
 
@@ -35,10 +34,6 @@ constexpr double SAME_WAY = 0.1;
 /// What the rim of a hole is near to says little.
 constexpr double RIM_WEIGHT = 0.1;
 
-/// Features of a third to a twentieth of the square root of the area keep their shape.
-constexpr double SOFTNESS[] = {10, 30, 100, 300};
-constexpr int CONFORMING_STEPS = 4;
-
 /// Vertices spread evenly, from the one farthest from the middle on: each is the farthest from
 /// those before it, in space; of several the one whose place comes first.
 std::vector<int> spreadVertices(const Points& vertices) {
@@ -59,12 +54,6 @@ std::vector<int> spreadVertices(const Points& vertices) {
     spread.push_back(next);
   }
   return spread;
-}
-
-/// Geman and McClure's weight, given the square of a distance's ratio to the usual one.
-double gemanMcClure(double squared_ratio) {
-  const double near = 1 / (1 + squared_ratio);
-  return near * near;
 }
 
 struct Laying {
@@ -133,36 +122,6 @@ void closestPoints(
   }
 }
 
-/// What is nearest in both poses, both ways.
-VertexMaps nearestInBothPoses(const BendableSurface& a,
-                              const BendableSurface& b,
-                              double softness,
-                              const BentPair& pair) {
-  const PoseFeaturePair of = poseFeatures(a, b, softness, pair);
-  VertexMaps maps;
-  nearestAmongGroups(of.a.transpose(), of.b.transpose(), maps.forward, maps.backward);
-  return maps;
-}
-
-/// Pulls a surface towards its matches; far ones count less the farther they are beyond twice the
-/// usual distance.
-void pullRobustly(const BendableSurface& from,
-                  const BendableSurface& to,
-                  const std::vector<int>& matches,
-                  double softness,
-                  Points& bent) {
-  const Points goals = to.mesh.vertices(matches, Eigen::all);
-  const Vector distance = (goals - bent).rowwise().norm();
-  const double usual =
-      2 * std::max(median({distance.data(), distance.data() + distance.size()}), 1e-3);
-  Vector believed = belief(from, to, matches);
-  for (Eigen::Index v = 0; v < distance.size(); ++v) {
-    const double ratio = distance[v] / usual;
-    believed[v] *= gemanMcClure(ratio * ratio);
-  }
-  bent = from.arap.pull(bent, goals, from.arap.attract(softness, believed), BENDING_STEPS);
-}
-
 }  // namespace
 
 SurfacePlaces::SurfacePlaces(const TriangleMesh& mesh) {
@@ -213,22 +172,6 @@ std::vector<Similarity> layOver(const SurfacePlaces& a, const SurfacePlaces& b, 
   std::vector<Similarity> ways;
   for (const Laying& laying : kept) ways.push_back(laying.way);
   return ways;
-}
-
-BentPair conform(const BendableSurface& a,
-                 const BendableSurface& b,
-                 const Points& laid,
-                 const Points& back) {
-  BentPair pair{{}, laid, back};
-  for (const double softness : SOFTNESS) {
-    for (int step = 0; step < CONFORMING_STEPS; ++step) {
-      pair.maps = nearestInBothPoses(a, b, softness, pair);
-      pullRobustly(a, b, pair.maps.forward, softness, pair.bent_a);
-      pullRobustly(b, a, pair.maps.backward, softness, pair.bent_b);
-    }
-    pair.maps = nearestInBothPoses(a, b, softness, pair);
-  }
-  return pair;
 }
 
 }  // namespace posture

@@ -5,6 +5,7 @@
 #include <posture/core/compact_vertices.h>
 #include <posture/core/parallel.h>
 #include <posture/mesh/normals.h>
+#include <posture/refine/settle.h>
 
 #include <Eigen/Geometry>
 

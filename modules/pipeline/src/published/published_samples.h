@@ -5,7 +5,6 @@
 #include <posture/dense/dense_map.h>
 #include <posture/pipeline/observer.h>
 
-#include <string>
 #include <vector>
 
 namespace posture {

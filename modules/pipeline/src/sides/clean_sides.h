@@ -6,7 +6,6 @@
 #include <posture/pipeline/observer.h>
 
 #include "sides/side_surface.h"
-#include <string>
 #include <vector>
 
 namespace posture {

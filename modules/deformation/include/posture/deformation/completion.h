@@ -5,8 +5,6 @@
 #include <posture/core/correspondence.h>
 #include <posture/core/types.h>
 
-#include <vector>
-
 namespace posture {
 
 /// A whole source, deformed onto its target.

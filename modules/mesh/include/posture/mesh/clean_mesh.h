@@ -4,7 +4,6 @@
 
 #include <posture/core/types.h>
 
-#include <string>
 #include <vector>
 
 namespace posture {

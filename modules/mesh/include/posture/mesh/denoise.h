@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <posture/mesh/require_mesh.h>
-#include <posture/mesh/seams.h>
-#include <posture/mesh/smooth_noise.h>
-#include <posture/mesh/spikes.h>
+#include <posture/core/types.h>
 
 namespace posture {
 
@@ -20,13 +17,6 @@ struct Denoising {
 
 /// What a mesh goes through before anything else is done with its shape.
 /// \throws std::invalid_argument  as requireMesh().
-inline Denoising denoise(TriangleMesh& mesh) {
-  requireMesh(mesh);
-  Denoising done;
-  done.seam_vertices = closeSeams(mesh);
-  done.spikes = setSpikesBack(mesh);
-  done.smoothing_rounds = smoothNoise(mesh);
-  return done;
-}
+Denoising denoise(TriangleMesh& mesh);
 
 }  // namespace posture

@@ -10,6 +10,7 @@
 #include <posture/mesh/rigid_motion.h>
 #include <posture/mesh/weld.h>
 
+#include "refined/completion/draw_piece.h"
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 
-#include "refined/completion/draw_piece.h"
 #include "refined/completion/laid_side.h"
 #include "refined/completion/target_part.h"
 #include "sides/given_shape.h"

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <posture/refine/surface.h>
-
-#include "refined/work/refined_shape.h"
+#include <posture/refine/bent_pair.h>
+#include <posture/refine/sample_maps.h>
 
 namespace posture {
 
-/// Places farther apart than two samples are not the same: no unit.
+/// Two maps whose matches lie farther apart than this in the mean are different answers: twice the
+/// spacing of the samples, in working units, square roots of the body's area.
 inline double answerGap(const SampledShape& target) { return 2 * target.spacing; }
 
-/// Mean distance on the target between where two maps take the source's vertices, straight: no
-/// unit, as the body's area is about one.
+/// Mean distance between where two maps take the source's vertices on the target, straight, in
+/// working units.
 double gapBetween(const TriangleMesh& target, const VertexMaps& x, const VertexMaps& y);
 
 /// The same over the vertices that have a counterpart under both; infinite where there are none.

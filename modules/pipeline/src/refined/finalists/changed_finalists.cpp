@@ -5,12 +5,12 @@
 #include <posture/core/parallel.h>
 #include <posture/refine/grow_anew.h>
 #include <posture/refine/let_go.h>
+#include <posture/refine/settle.h>
 
 #include "answer/verdict.h"
 #include "refined/finalists/answer_gap.h"
 #include "refined/finalists/by_score.h"
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -131,7 +131,7 @@ std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
   for (int i : distinct)
     if (static_cast<int>(tried.size()) < MOST_LOOSENED && !finalists[i].laid)
       tried.push_back(finalists[i]);
-  const double softness = settlingSoftness(source.eigenvalues, target.eigenvalues);
+  const double softness = settlingSoftness(source, target);
   std::vector<std::optional<Finalist>> loose(tried.size());
   parallelFor(static_cast<int>(tried.size()), [&](int i) {
     loose[i] =
@@ -153,7 +153,7 @@ std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
                                          const std::vector<int>& distinct,
                                          double gap,
                                          std::vector<Finalist> finalists) {
-  const double softness = settlingSoftness(source.eigenvalues, target.eigenvalues);
+  const double softness = settlingSoftness(source, target);
   std::vector<Changed> grown;
   const auto near = std::count_if(distinct.begin(), distinct.end(), [&](int i) {
     return mayConvince(finalists[i].score.total());
@@ -215,7 +215,7 @@ std::vector<Finalist> withTurned(const SpectralSurface& source,
                                  const std::vector<int>& distinct,
                                  double gap,
                                  std::vector<Finalist> finalists) {
-  const double softness = settlingSoftness(source.eigenvalues, target.eigenvalues);
+  const double softness = settlingSoftness(source, target);
   const std::size_t begun = std::min(MOST_TURNED_FROM, distinct.size());
   std::vector<Finalist> composed_ones;
   const auto add = [&](const Finalist& finalist, VertexMaps maps) {

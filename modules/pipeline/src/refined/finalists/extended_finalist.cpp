@@ -3,6 +3,7 @@
 #include "refined/finalists/extended_finalist.h"
 
 #include <posture/refine/extend_map.h>
+#include <posture/refine/settle.h>
 
 #include "no_way_on.h"
 #include "refined/work/coarse_map.h"
@@ -15,7 +16,7 @@ Finalist extendedFinalist(const CoarseSides& sides, const RegistrationResult& kn
   const SpectralSurface &source = sides.source, &target = sides.target;
   ScoredPair extended = extendMap(source,
                                   target,
-                                  settlingSoftness(source.eigenvalues, target.eigenvalues),
+                                  settlingSoftness(source, target),
                                   coarseMapOf(sides.source_side, sides.target_side, known));
   Finalist finalist;
   finalist.maps = extended.pair.maps;

@@ -4,6 +4,7 @@
 
 #include <posture/core/parallel.h>
 #include <posture/refine/bend.h>
+#include <posture/refine/conform.h>
 
 #include "refined/finalists/by_score.h"
 #include <algorithm>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <posture/refine/bent_pair.h>
 #include <posture/refine/lay_over.h>
 #include <posture/refine/map_score.h>
 #include <posture/refine/sample_maps.h>
-#include <posture/refine/settle.h>
 #include <posture/refine/surface.h>
 
 #include <optional>

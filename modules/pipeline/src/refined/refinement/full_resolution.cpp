@@ -3,7 +3,9 @@
 #include "refined/refinement/full_resolution.h"
 
 #include <posture/core/parallel.h>
+#include <posture/refine/carry_up.h>
 #include <posture/refine/partners.h>
+#include <posture/refine/settle.h>
 
 #include <algorithm>
 #include <array>

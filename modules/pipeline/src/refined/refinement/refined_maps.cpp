@@ -4,7 +4,9 @@
 
 #include <posture/core/parallel.h>
 #include <posture/refine/bend.h>
+#include <posture/refine/carry_up.h>
 #include <posture/refine/let_go.h>
+#include <posture/refine/settle.h>
 #include <posture/refine/turn_limbs.h>
 
 #include "refined/finalists/by_score.h"
@@ -94,7 +96,7 @@ RefinedMap withLimbsTurned(const RefinedShape& source,
   const SpectralSurface source_coarse = source.coarseSurface(),
                         target_coarse = target.coarseSurface();
   const BentPair coarse = onCoarse(source, target, map.pair);
-  const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
+  const double softness = settlingSoftness(source_work, target_work);
   const std::vector<int> tips = source.tips();
   std::vector<std::vector<LimbTurn>> turns(tips.size());
   const auto withTurns = [&](const std::vector<int>& limbs, Way way) {
@@ -173,7 +175,7 @@ void annealWithEndsRefitted(const RefinedShape& source,
                             const SpectralSurface& source_work,
                             const SpectralSurface& target_work,
                             BentPair& pair) {
-  const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
+  const double softness = settlingSoftness(source_work, target_work);
   anneal(source_work, target_work, softness, pair);
   bool is_settled = false;
   for (int tip : source.tips()) {
@@ -224,7 +226,7 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
     map.found = {finalists[map.finalist]->laid, may_lack};
     map.pair = starts[map.finalist];
     const SpectralSurface& work = surfaces.source(map.scale);
-    const double softness = settlingSoftness(work.eigenvalues, target_work.eigenvalues);
+    const double softness = settlingSoftness(work, target_work);
     settleBy(static_cast<Way>(i % WAYS), softness, work, target_work, map.pair);
     map.score = finalists[map.finalist]->bent
                     ? scoreBent(work, target_work, map.pair, map.found.laid)
@@ -255,7 +257,7 @@ void annealMap(const RefinedShape& source,
   });
   if (may_lack)
     changeUnlessTorn(map, [&](RefinedMap& less) {
-      const double softness = settlingSoftness(source_work.eigenvalues, target_work.eigenvalues);
+      const double softness = settlingSoftness(source_work, target_work);
       if (letGo(source_work, target_work, softness, LEAST_OF_LETTING_GO, less.pair))
         anneal(source_work, target_work, softness, less.pair);
     });

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <posture/refine/bent_pair.h>
 #include <posture/refine/map_score.h>
 #include <posture/refine/partners.h>
-#include <posture/refine/settle.h>
 
 #include "refined/finalists/finalists.h"
 #include "refined/work/refined_shape.h"

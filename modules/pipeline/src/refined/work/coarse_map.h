@@ -3,7 +3,7 @@
 #pragma once
 
 #include <posture/pipeline/register_shapes.h>
-#include <posture/refine/settle.h>
+#include <posture/refine/bent_pair.h>
 
 #include "refined/work/posed_side.h"
 #include "sides/given_shape.h"

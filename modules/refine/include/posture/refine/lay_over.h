@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <posture/refine/settle.h>
-#include <posture/refine/surface.h>
+#include <posture/core/types.h>
 
 #include <vector>
 
@@ -35,15 +34,5 @@ struct SurfacePlaces {
 /// is the same in both poses - a trunk, a piece seen from one side - falls into place however much
 /// of the rest is missing.
 std::vector<Similarity> layOver(const SurfacePlaces& a, const SurfacePlaces& b, int most);
-
-/// Bends two surfaces onto each other that have been laid over each other: from stiff to soft,
-/// each vertex drawn to what is nearest in both poses, places and normals; what lies far from
-/// everything, as where the other surface is missing, pulls little.
-/// \param laid  a's vertices over b.
-/// \param back  b's vertices over a.
-BentPair conform(const BendableSurface& a,
-                 const BendableSurface& b,
-                 const Points& laid,
-                 const Points& back);
 
 }  // namespace posture

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <posture/refine/bent_pair.h>
 #include <posture/refine/map_score.h>
-#include <posture/refine/settle.h>
 #include <posture/refine/surface.h>
 
 #include <optional>

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <posture/deformation/reduce_mesh.h>
-#include <posture/refine/surface.h>
+#include <posture/refine/bent_pair.h>
 
 #include <array>
 #include <cstddef>
@@ -11,26 +10,10 @@
 
 namespace posture {
 
-/// Two surfaces, each bent onto the other.
-struct BentPair {
-  VertexMaps maps;
-  Points bent_a;  ///< a's vertices on b
-  Points bent_b;  ///< b's vertices on a
-  /// Vertices let go of (letGo()), whose matches do not count; empty: none.
-  std::vector<char> apart_a{}, apart_b{};
-};
-
-/// Whether a vertex is among those let go of. \param apart  of its surface, as in BentPair.
-inline bool isApart(const std::vector<char>& apart, std::size_t v) {
-  return !apart.empty() && apart[v] != 0;
-}
-
-/// The same with the surfaces exchanged.
-BentPair reversed(const BentPair& pair);
-
 /// How soft surfaces are when they settle, on any resolution: as the finest eigenfunctions are.
 /// From the eigenvalues of both shapes.
 double settlingSoftness(const Vector& eigenvalues_a, const Vector& eigenvalues_b);
+double settlingSoftness(const SpectralSurface& a, const SpectralSurface& b);
 
 /// Lets two surfaces that lie nearly on each other settle: in turn bends each as rigidly as
 /// possible towards its image, to places in faces, and moves each vertex's match along the other
@@ -69,17 +52,6 @@ void polish(const BendableSurface& a,
 /// Polishes from stiff to soft.
 /// \param softness  that of the end.
 void anneal(const BendableSurface& a, const BendableSurface& b, double softness, BentPair& pair);
-
-/// What was found on reduced meshes, on the meshes they were reduced from: every vertex moves as
-/// the reduced ones around it do, and takes the match of the nearest of them.
-/// \param work_a, work_b  the surfaces of the reduced meshes.
-BentPair carryUp(const TriangleMesh& a,
-                 const ReducedMesh& reduced_a,
-                 const BendableSurface& work_a,
-                 const TriangleMesh& b,
-                 const ReducedMesh& reduced_b,
-                 const BendableSurface& work_b,
-                 const BentPair& pair);
 
 /// A place in a face, by its corners in the order the mesh names them.
 struct FacePoint {

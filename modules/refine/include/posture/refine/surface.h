@@ -6,7 +6,7 @@
 #include <posture/deformation/arap.h>
 #include <posture/geodesic/distance_rows.h>
 #include <posture/mesh/vertex_neighbors.h>
-#include <posture/spectral/spectral_basis.h>
+#include <posture/spectral/laplacian.h>
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <posture/refine/settle.h>
+#include <posture/refine/bent_pair.h>
 #include <posture/refine/surface.h>
 
 #include <vector>
