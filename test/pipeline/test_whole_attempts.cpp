@@ -18,7 +18,7 @@ using test::answerWith;
 struct Begun {
   Begun(double first_score, double last_score, int place) {
     begun.score = first_score;
-    begun.goOn = [=](const RegistrationResult*, bool) {
+    begun.goOn = [=](const KnownAnswer&) {
       ++times;
       if (fails) throw NoWayOn("too torn");
       Attempt attempt{answerWith(last_score, place), {}};

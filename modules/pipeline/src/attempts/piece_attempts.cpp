@@ -121,7 +121,7 @@ void addPieceAttempts(const GivenShape& source,
   for (const PieceAttempt& piece : pieces) {
     if (piece.begun.score > worst || (convincing && isDecisive(*convincing, piece.begun.score)))
       break;
-    std::optional<Attempt> attempt = clock.tryTo([&] { return *piece.begun.goOn(nullptr, false); });
+    std::optional<Attempt> attempt = clock.tryTo([&] { return *piece.begun.goOn({}); });
     if (!attempt) continue;
     if (!convincing && looksAlike(attempt->found)) convincing = piece.begun.score;
     attempts.push_back(ofWhole(std::move(*attempt), of_source, of_target, piece));

@@ -43,9 +43,8 @@ std::function<void(RegistrationResult&)> ofParted(const GivenShape& source,
 /// The attempt with what `change` makes of its results.
 BegunAttempt withChange(BegunAttempt begun,
                         const std::function<void(RegistrationResult&)>& change) {
-  begun.goOn = [goOn = std::move(begun.goOn), change](const RegistrationResult* known,
-                                                      bool may_stop) {
-    std::optional<Attempt> attempt = goOn(known, may_stop);
+  begun.goOn = [goOn = std::move(begun.goOn), change](const KnownAnswer& known) {
+    std::optional<Attempt> attempt = goOn(known);
     return attempt ? std::optional(withChange(std::move(*attempt), change)) : std::nullopt;
   };
   return begun;
@@ -64,11 +63,11 @@ Attempt betterOf(const BegunAttempt& whole,
   };
   const auto goOnAsGiven = [&] {
     is_whole_left = false;
-    as_given = clock.tryTo([&] { return *whole.goOn(known, false); });
+    as_given = clock.tryTo([&] { return *whole.goOn({known}); });
   };
   const bool as_given_first = isDecisive(whole.score, cut.score);
   if (as_given_first) goOnAsGiven();
-  if (!isConvincing(as_given)) other = clock.tryTo([&] { return *cut.goOn(known, false); });
+  if (!isConvincing(as_given)) other = clock.tryTo([&] { return *cut.goOn({known}); });
   if (other && other->found.chosen < 0) other.reset();  // it has no map
   if (!as_given_first && !(isConvincing(other) && isDecisive(cut.score, whole.score)))
     goOnAsGiven();
@@ -85,8 +84,7 @@ Attempt betterOf(const BegunAttempt& whole,
                   &clock] {
     if (!as_given && !is_whole_left) return finish();
     std::optional<RegistrationResult> result = clock.tryTo(finish);
-    return result ? std::move(*result)
-                  : finished(as_given ? *as_given : *whole.goOn(nullptr, false));
+    return result ? std::move(*result) : finished(as_given ? *as_given : *whole.goOn({}));
   };
   return taken;
 }
@@ -102,14 +100,14 @@ std::optional<Attempt> wholeAttempt(const GivenShape& source,
   const BegunAttempt whole = clock.within({"", any ? portion / 2 : portion}, [&] {
     return beginAttempt(source, target, options, clock);
   });
-  if (!any) return whole.goOn(known, true);
+  if (!any) return whole.goOn({known, true});
   const std::optional<BegunAttempt> cut = clock.tryAttempt("parted", portion / 2, [&] {
     return withChange(
         beginAttempt(
             cutOpen(source, parted.source), cutOpen(target, parted.target), options, clock),
         ofParted(source, target, parted));
   });
-  return cut ? betterOf(whole, *cut, known, clock) : whole.goOn(known, false);
+  return cut ? betterOf(whole, *cut, known, clock) : whole.goOn({known});
 }
 
 Attempt patchedAttempt(const GivenShape& source,

@@ -19,7 +19,7 @@ namespace posture {
 /// first ones already where they decide. The one cut open has to score better by more than scores
 /// vary, and gives way to the other where it cannot be finished.
 ///
-/// \param known  see BegunAttempt::goOn.
+/// \param known  see KnownAnswer::result.
 /// \throws TornSurface  neither surface can be bent
 Attempt betterOf(const BegunAttempt& whole,
                  const BegunAttempt& cut,
@@ -27,7 +27,7 @@ Attempt betterOf(const BegunAttempt& whole,
                  StageClock& clock);
 
 /// Registers the shapes as they are and, where a surface may be grown together with itself, parted.
-/// \param known  see BegunAttempt::goOn.
+/// \param known  see KnownAnswer::result.
 /// \return  nothing where there is no contact and the known answer stands.
 /// \throws TornSurface  a surface cannot be bent, as given nor parted
 std::optional<Attempt> wholeAttempt(const GivenShape& source,

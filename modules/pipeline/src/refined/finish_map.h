@@ -4,27 +4,10 @@
 
 #include <posture/pipeline/register_shapes.h>
 
-#include "refined/finalists/finalists.h"
-#include "refined/refinement/refined_maps.h"
-#include "refined/work/posed_side.h"
-#include "sides/given_shape.h"
+#include "refined/chosen_map.h"
 #include "stage_clock.h"
-#include <vector>
 
 namespace posture {
-
-/// What an attempt has found when its map is chosen, and what finishing it takes.
-struct ChosenMap {
-  ChosenMap(const GivenShape& source_cleaned, const GivenShape& target_cleaned)
-      : source(source_cleaned), target(target_cleaned) {}
-
-  PosedSide source, target;
-  bool may_lack = false;
-  std::vector<Finalist> finalists;
-  RefinedMap best;
-  RegistrationResult result;    ///< without a map, unless there is no finalist
-  std::vector<int> begun_from;  ///< the finalist that each alternative is refined from
-};
 
 /// The stages from annealing on: takes the map chosen to all vertices, and the whole source with
 /// it.

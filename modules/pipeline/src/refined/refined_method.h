@@ -3,6 +3,7 @@
 #pragma once
 
 #include "answer/attempt.h"
+#include "answer/known_answer.h"
 #include "sides/given_shape.h"
 #include "stage_clock.h"
 #include <functional>
@@ -17,11 +18,8 @@ struct BegunAttempt {
   /// worth going on with. Infinite where none keeps the outside out.
   double score = std::numeric_limits<double>::infinity();
 
-  /// \param known  an answer found otherwise, in the numbering of both inputs; null: none. Where it
-  /// is trusted and the best finalist agrees with it, parts are not let go of.
-  /// \param may_stop  whether to give the attempt up, to nothing, where the known answer stands
-  /// (knownStands() in answer/shared_verdict.h). Called once.
-  std::function<std::optional<Attempt>(const RegistrationResult* known, bool may_stop)> goOn;
+  /// Goes on with it, once. Nothing where the attempt is given up as the known answer stands.
+  std::function<std::optional<Attempt>(const KnownAnswer& known)> goOn;
 };
 
 /// Beyond the paper: spectra and canonical forms give candidates, those that keep the outside out

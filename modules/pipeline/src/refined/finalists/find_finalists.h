@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <posture/pipeline/register_shapes.h>
-
+#include "answer/known_answer.h"
 #include "refined/finalists/finalists.h"
 #include "refined/work/posed_side.h"
 #include "stage_clock.h"
@@ -25,12 +24,6 @@ struct CoarseSides {
 std::vector<Finalist> bentFinalists(const CoarseSides& sides,
                                     const std::vector<SampleMap>& pool,
                                     StageClock& clock);
-
-/// An answer found otherwise.
-struct KnownAnswer {
-  const RegistrationResult* result = nullptr;  ///< in the numbering of both inputs; null: none
-  bool may_stop = false;  ///< whether to end as soon as it is confirmed and stands (knownStands())
-};
 
 /// The stages from tips to laying over: what else is found where the bent maps do not tell.
 /// \param finalists  bentFinalists().
