@@ -127,7 +127,7 @@ TEST(Score, aPieceDoesNotPayForWhatTheWholeHasMore) {
   piece.let_go = 0.7;
   piece.bending /= 1 - piece.let_go;  // as it is measured
   EXPECT_NEAR(piece.totalOfPiece(), all, 1e-12);
-  piece.let_go_of_other = 0.7;
+  piece.least_let_go = 0.7;
   EXPECT_NEAR(piece.totalOfPiece(), piece.total(), 1e-12);
 }
 

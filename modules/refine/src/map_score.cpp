@@ -182,8 +182,8 @@ double MapScore::total() const {
 double MapScore::totalOfPiece() const {
   MapScore piece = *this;
   // Bending was divided by the share of the larger one.
-  piece.bending *= std::max(LEAST_KEPT, 1 - let_go) / std::max(LEAST_KEPT, 1 - let_go_of_other);
-  piece.let_go = let_go_of_other;
+  piece.bending *= std::max(LEAST_KEPT, 1 - let_go) / std::max(LEAST_KEPT, 1 - least_let_go);
+  piece.let_go = least_let_go;
   return piece.total();
 }
 
@@ -197,7 +197,7 @@ MapScore scoreBent(const SpectralSurface& a,
                    bool laid) {
   MapScore bent =
       score(a, b, pair.maps, beliefBent(a, b, pair, laid), beliefBent(b, a, reversed(pair), laid));
-  std::tie(bent.let_go_of_other, bent.let_go) =
+  std::tie(bent.least_let_go, bent.let_go) =
       std::minmax({areaShare(a, pair.apart_a), areaShare(b, pair.apart_b)});
   return bent;
 }

@@ -29,7 +29,7 @@ constexpr double STRETCH = 0.06;
 /// A sample that has no place adds so much of the mean distance and no more.
 constexpr double WORST = 0.25;
 
-/// So many samples tell which anchors are worth a second look, and how many of these get it.
+/// How many samples tell which anchors are worth a second look, and how many anchors get one.
 constexpr int FIRST_LOOK = 16;
 constexpr std::size_t FIRST_LOOKS_A_SCALE = 20000, LOOKS_A_SCALE = 40, SECOND_LOOKS = 240;
 constexpr int ROUNDS = 6;

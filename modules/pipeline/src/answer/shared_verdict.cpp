@@ -26,7 +26,7 @@ bool isAstray(double score_without, double score_with) {
 double handsByBoth(const RegistrationResult& result,
                    const RegistrationResult& other,
                    const TriangleMesh& target) {
-  return other.hands > result.hands && 2 * other.hands >= COST_OF_HANDS &&
+  return other.hands > result.hands && mostHandsAreWrong(other.hands) &&
                  !leadsElsewhere(overlapOf(result, other, target, std::sqrt(result.target.area)))
              ? other.hands
              : result.hands;

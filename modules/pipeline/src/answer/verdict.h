@@ -28,18 +28,20 @@ constexpr double ALL_BUT_CERTAIN = 0.9;
 /// docs/decisions/trust.md has the measurements.
 constexpr double EVEN_SCORE = -8.7;
 
-/// What a map pays for the share of its hands that are on the other side, one more counted as
-/// right: 3.5 where one tells, 5.6 where four do, so that a half-turned body, which scores -10.4 to
-/// -14, is not believed; 1.4 for one against three. It comes to half or more where most of them
-/// are: the body is turned then, and not a limb laid on the other one.
-constexpr double COST_OF_HANDS = 7;
-
-/// On coarse meshes the right answer may be worse by so much.
+/// A map between coarse meshes that scores worse than another by more is hardly the right one.
 constexpr double DECISIVE = 1;
 
 /// How far the score of a map and its margin before the next different one speak for it, in [0, 1].
 double trustIn(double score, double margin);
 double trustIn(const RegistrationResult& result);
+
+/// What a map pays, in its score, for tips of limbs under which its hands are on the other side.
+/// \param right, wrong  how many tips speak for and against it.
+double costOfHands(double right, double wrong);
+
+/// Whether most hands that cost so much are on the other side: the body is turned then, and not a
+/// limb laid on the other one.
+bool mostHandsAreWrong(double cost);
 
 /// Whether a map scores as those between poses of one body do.
 bool convinces(double score);

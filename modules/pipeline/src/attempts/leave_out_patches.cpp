@@ -27,7 +27,7 @@ std::vector<int> rimVertices(const TriangleMesh& input, const PatchedShape& patc
   const TriangleMesh& mesh = patched.input;
   const double reach = BEYOND_RIM * rootArea(patched.clean.mesh);
   const auto n = static_cast<int>(input.vertices.rows());
-  std::vector<int> rim(patched.vertices, -1);
+  std::vector<int> rim(patched.patch_vertices, -1);
   for (bool first = true, found = true; found; first = false) {
     found = false;
     std::vector<int> next = rim;
@@ -110,9 +110,9 @@ ShapeSummary summaryWithout(const GivenShape& given,
                             const PatchedShape& shape,
                             const ShapeSummary& patched) {
   ShapeSummary summary = withMeasured(summarize(given), patched);
-  summary.patched_holes = shape.holes;
-  summary.joined_pieces = shape.pieces;
-  summary.parted_contacts = shape.contacts;
+  summary.patched_holes = shape.patched_holes;
+  summary.joined_pieces = shape.joined_pieces;
+  summary.parted_contacts = shape.parted_contacts;
   return summary;
 }
 

@@ -18,7 +18,7 @@ std::optional<RegistrationResult> registerJoined(const GivenShape& source,
     return std::pair(withBridges(source.input, source.clean),
                      withBridges(target.input, target.clean));
   });
-  if (source_joined.pieces == 0 && target_joined.pieces == 0) return {};
+  if (source_joined.joined_pieces == 0 && target_joined.joined_pieces == 0) return {};
   std::optional<RegistrationResult> joined =
       clock.tryAttempt("joined", 0, [&, &a = source_joined, &b = target_joined] {
         return finished(refinedMethod(a.given(), b.given(), options, clock));

@@ -78,7 +78,7 @@ RegistrationResult registerWhole(const GivenShape& source,
   const PatchedSides cut = clock.stage("holes", 0.01, [&] {
     return patchedSides(source.input, parted.source, target.input, parted.target);
   });
-  const bool many = std::max(cut.source.rims, cut.target.rims) > MANY_RIMS;
+  const bool many = std::max(cut.source.rim_length, cut.target.rim_length) > MANY_RIMS;
   std::optional<PatchedSides> uncut;
   std::function<const PatchedSides&()> makeUncut;
   if (parted.any())

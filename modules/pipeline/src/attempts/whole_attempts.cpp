@@ -16,7 +16,8 @@
 namespace posture {
 namespace {
 
-/// Of a surface that closes hands are not looked at, of the same one cut open they are.
+/// Hands cost where a side may lack parts, so mostly on the surface cut open alone: the two are
+/// compared without.
 double scoreApartFromHands(const Attempt& attempt) {
   return attempt.found.score - attempt.found.hands;
 }
@@ -25,7 +26,8 @@ GivenShape cutOpen(const GivenShape& shape, const PartedSurface& parted) {
   return {shape.input, parted.clean, shape.patch_vertices};
 }
 
-/// What makes the results of an attempt at surfaces that are cut open those of all of them.
+/// Makes a result found on surfaces cut open one of the whole: summaries of all of it, and how many
+/// contacts were cut.
 std::function<void(RegistrationResult&)> ofParted(const GivenShape& source,
                                                   const GivenShape& target,
                                                   const PartedSides& parted) {
@@ -126,7 +128,7 @@ Attempt patchedAttempt(const GivenShape& source,
   if (uncut && !(as_cut && looksAlike(as_cut->found))) {
     // Where the cut alone made the holes these are the surfaces as they are.
     const auto closed = clock.tryTo([&] { return &uncut(); });
-    if (closed && (*closed)->source.holes + (*closed)->target.holes > 0)
+    if (closed && (*closed)->source.patched_holes + (*closed)->target.patched_holes > 0)
       other = clock.tryAttempt("patched-uncut", 0, [&] { return attempt(**closed); });
   }
   if (!as_cut && !other) throw TornSurface("no surface can be bent with its holes closed");

@@ -12,7 +12,8 @@
 namespace posture {
 namespace {
 
-/// What leaving it out looks like to cleanMesh() is no fault of the mesh.
+/// Takes out of the summary what cleanMesh() counts only since faces of the background are
+/// collapsed.
 void forgetBackground(const SideSurface& surface, CleanMesh& clean) {
   const Background& background = surface.background;
   if (background.faces == 0) return;
@@ -44,7 +45,8 @@ CleanMesh cleanSide(const std::string& side, SideSurface& surface) {
   }
 }
 
-void goBy(const CleanMesh& other, CleanMesh& clean) {
+/// Turns a surface that does not tell its outside, if the other one was inside out.
+void turnAsOther(const CleanMesh& other, CleanMesh& clean) {
   if (!clean.outward_known && other.outward_known && other.inside_out) turnOver(clean);
 }
 
@@ -59,8 +61,8 @@ CleanSides cleanSides(SideSurface& source, SideSurface& target) {
       clean.target = cleanSide("target", target);
   });
   if (source.scan || target.scan) return clean;
-  goBy(clean.target, clean.source);
-  goBy(clean.source, clean.target);
+  turnAsOther(clean.target, clean.source);
+  turnAsOther(clean.source, clean.target);
   return clean;
 }
 

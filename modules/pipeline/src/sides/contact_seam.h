@@ -14,7 +14,7 @@ namespace posture {
 /// run where it folds inwards and through holes. An arm that touches the head is narrowest at the
 /// wrist, but folds where the hand lies.
 /// \param surface  oriented, outside out; folds are looked for across two of its faces.
-/// \param ring  vertices in order along edges, each once or more at a time; the surface stays
+/// \param ring  vertices in order along edges, repeated in a row or not; the surface stays
 /// connected without them. \return  the edges of the paths, those of the ring where no others are
 /// cheaper.
 std::vector<std::pair<int, int>> contactSeam(const TriangleMesh& surface,

@@ -11,10 +11,10 @@ namespace posture {
 /// What of a mesh was taken for a floor, a table or a wall that its body was scanned on or before.
 struct Background {
   int faces = 0;
-  /// n, non-zero for one in such faces alone, unless what is in others is at its place; or empty:
-  /// none is
+  /// n, non-zero for a vertex that is in its faces alone and not at the place of one of the body's;
+  /// empty: no background.
   std::vector<char> vertices;
-  int left_over = 0;  ///< in such faces alone, but not marked: they are in no face any more
+  int left_over = 0;  ///< vertices in its faces alone, but at the place of one of the body's
 };
 
 /// Leaves backgroundFaces() out of a mesh: all corners of such a face become one, so that cleaning

@@ -58,7 +58,7 @@ PatchedShape withPatches(const TriangleMesh& input, const PartedSurface& parted)
   for (Eigen::Index f = 0; f < open.faces.rows(); ++f)
     if (parted.gone[f] != 0) open.faces.row(f).setConstant(open.faces(f, 0));
   PatchedShape patched = withPatches(open, parted.clean);
-  patched.contacts = parted.contacts;
+  patched.parted_contacts = parted.contacts;
   return patched;
 }
 
@@ -69,7 +69,7 @@ PatchedShape withBridges(const TriangleMesh& input, const CleanMesh& clean) {
   const auto n = clean.mesh.vertices.rows(), m = input.faces.rows();
   const Bridges bridges =
       bridgePieces(withPieces(posed(clean.mesh, pose), posed(clean.pieces, pose)));
-  joined.pieces = bridges.pieces;
+  joined.joined_pieces = bridges.pieces;
   if (bridges.pieces == 0) return joined;
   joined.input.faces.conservativeResize(m + bridges.faces.rows(), 3);
   for (Eigen::Index f = 0; f < bridges.faces.rows(); ++f)

@@ -13,13 +13,13 @@ namespace posture {
 struct PatchedShape {
   TriangleMesh input;
   CleanMesh clean;
-  int vertices = 0;  ///< of the patches
-  int holes = 0;     ///< that were closed
-  double rims = 0;   ///< length of their rims, over the square root of the area
-  int pieces = 0;    ///< that were joined to the main surface
-  int contacts = 0;  ///< that were cut open before
+  int patch_vertices = 0;
+  int patched_holes = 0;
+  double rim_length = 0;    ///< of the holes patched, over the square root of the area
+  int joined_pieces = 0;    ///< to the main surface
+  int parted_contacts = 0;  ///< cut open before holes were patched
 
-  GivenShape given() const { return {input, clean, vertices}; }
+  GivenShape given() const { return {input, clean, patch_vertices}; }
 };
 
 /// With holes closed where the surface goes on across them (patchHoles()).

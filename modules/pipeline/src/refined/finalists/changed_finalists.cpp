@@ -18,11 +18,11 @@
 namespace posture {
 namespace {
 
-/// Of different answers so many are tried without what they misplace.
+/// How many different answers are tried without what they misplace.
 constexpr int MOST_LOOSENED = 8;
 
-/// So many different answers are grown anew, and so many turned; of what comes of either the best
-/// are let go of what they misplace.
+/// How many different answers are grown anew, how many are turned, and of how many of what comes of
+/// either parts are let go.
 constexpr std::size_t MOST_GROWN_FROM = 4, MOST_TURNED_FROM = 3, MOST_CHANGED = 6;
 
 /// Of a surface onto itself: maps of samples, and those that keep the outside out.

@@ -10,10 +10,10 @@
 namespace posture {
 namespace {
 
-/// So many different finalists are looked at.
+/// How many different finalists are looked at.
 constexpr std::size_t MOST_LOOKED_AT = 4;
 
-/// So many ends of limbs tell where the rest of a body is.
+/// How many ends of limbs tell where the rest of a body is.
 constexpr std::size_t FEWEST_ENDS = 4;
 
 /// Vertices of `work` on the coarse mesh.

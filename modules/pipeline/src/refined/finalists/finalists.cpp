@@ -16,7 +16,7 @@ namespace {
 
 constexpr int MOST_FINALISTS = 8, MOST_LAID = 4;
 
-/// So many are bent further, so often at most.
+/// How many of the best finalists are bent further, and in how many rounds at most.
 constexpr int BENT_FURTHER = 16, MOST_FURTHER = 4;
 
 /// The low start mends limbs turned inside out, the high one keeps those a low one would twist.

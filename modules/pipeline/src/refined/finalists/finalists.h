@@ -59,7 +59,7 @@ std::vector<Finalist> joined(std::vector<Finalist> some, std::vector<Finalist> o
 /// wrong way round - takes that part from it if the whole then scores better. Does so until
 /// nothing gets better; the improved finalist comes first, before the one it was made of, whose
 /// orientation it keeps.
-/// \param gap  how far apart two places are not the same any more, in mesh units.
+/// \param gap  how far apart two places are not the same any more, in working units.
 void exchangeParts(const SpectralSurface& source,
                    const SpectralSurface& target,
                    double gap,

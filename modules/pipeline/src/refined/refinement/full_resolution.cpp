@@ -18,8 +18,7 @@ namespace {
 /// Of polishing: from the work mesh on, and from a level in between to all vertices.
 constexpr int ROUNDS = 20, LAST_ROUNDS = 10;
 
-/// How many times the vertices of the level below a level has at most: matches slide along by
-/// edges.
+/// Largest ratio of vertices between a level and the one below: matches slide from edge to edge.
 constexpr double MOST_FINER = 12;
 
 /// The full mesh reduced less. \param way  from the work mesh, 0, to the full one, 1.

@@ -68,7 +68,7 @@ std::vector<int> matchedTips(const std::vector<int>& tips,
   return matched;
 }
 
-double costOfHands(const RefinedShape& source,
+double handsCostOf(const RefinedShape& source,
                    const RefinedShape& target,
                    const WorkSurfaces& surfaces,
                    const RefinedMap& map) {
@@ -79,7 +79,7 @@ double costOfHands(const RefinedShape& source,
                matchedTips(source.tips(), pair.apart_a, pair.maps.forward, pair.apart_b),
                matchedTips(target.tips(), pair.apart_b, pair.maps.backward, pair.apart_a),
                pair.maps);
-  return COST_OF_HANDS * vote.against_it / (vote.for_it + vote.against_it + 1);
+  return costOfHands(vote.for_it, vote.against_it);
 }
 
 /// Which answer each map gives, and the best map of each.
@@ -115,7 +115,7 @@ void judgeByEnds(const RefinedShape& source,
     ends = disagreementsOfEnds(source, target, surfaces, answers.best, gap);
   if (may_lack)
     for (std::size_t k = 0; k < hands.size(); ++k)
-      hands[k] = costOfHands(source, target, surfaces, *answers.best[k]);
+      hands[k] = handsCostOf(source, target, surfaces, *answers.best[k]);
   for (std::size_t i = 0; i < maps.size(); ++i) {
     maps[i].ends = ends[answers.of_map[i]];
     maps[i].hands = hands[answers.of_map[i]];

@@ -16,7 +16,7 @@ namespace posture {
 struct RefinedMap {
   int finalist = 0;  ///< index of the one it was made of
   double scale = 1;  ///< what the source was multiplied by for it
-  HowFound found;    ///< laid over each other, much may be missing
+  HowFound found;    ///< what withoutPartner() asks
   BentPair pair;
   MapScore score;
   /// By how much worse ends of limbs fit than under the map, of those it was compared with, under

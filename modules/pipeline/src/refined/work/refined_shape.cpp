@@ -20,8 +20,9 @@ namespace {
 /// full ones; comparing all vertices with all, the time goes with the product of both sides'.
 constexpr int WORK_VERTICES = 5000, COARSE_VERTICES = 1500, SAMPLES = 500;
 
-/// What one side has fewer than that, down to so many, the other may have more: reduced, a fine
-/// surface is another shape than a light mesh of the same body.
+/// Where one side has n vertices, fewer than WORK_VERTICES, the work mesh of the other has
+/// WORK_VERTICES^2 / n, and the product stays: reduced to n, a fine surface is another shape than a
+/// light mesh of the same body. This is the least n that counts.
 constexpr int FEWEST_WORK_VERTICES = WORK_VERTICES / 2;
 
 /// A surface this many times as coarse as the other is brought to so many vertices; it bends, and

@@ -16,7 +16,7 @@ struct MapScore {
   double distortion = 0;   ///< mean relative change of geodesic distances, each at most 1/2
   double return_miss = 0;  ///< how many matches, there and back, do not end where they began
   double let_go = 0;  ///< share of the surface that has no part in the map (letGo()): the larger
-  double let_go_of_other = 0;  ///< that of the other surface: the smaller
+  double least_let_go = 0;  ///< that of the other surface: the smaller
 
   /// Sum of the logarithms: each term counts by its ratio, so none needs a weight. Each is divided
   /// by the share that was not let go of, or letting go would always look better. Lower is better.
