@@ -136,12 +136,7 @@ TEST_F(Evaluate, AFaceMayHaveAnotherCopyOfAVertexThatRoundingTookApart) {
   // Two halves, the seam between them rounded: the vertex is of the one, the face of the other.
   const TriangleMesh half = test::grid(COLUMNS / 2, ROWS, COLUMNS / 2.0, ROWS);
   const auto n = half.vertices.rows(), m = half.faces.rows();
-  TriangleMesh both;
-  both.vertices.resize(2 * n, 3);
-  both.vertices << half.vertices,
-      half.vertices.rowwise() + Eigen::RowVector3d(COLUMNS / 2.0 + 1e-6, 0, 0);
-  both.faces.resize(2 * m, 3);
-  both.faces << half.faces, half.faces.array() + static_cast<int>(n);
+  const TriangleMesh both = test::joined(half, test::shifted(half, {COLUMNS / 2.0 + 1e-6, 0, 0}));
   writeMesh(folder_ / "torn.ply", both);
   const int copy = both.faces(m, 0), vertex = copy - static_cast<int>(n) + COLUMNS / 2;
   ASSERT_NEAR((both.vertices.row(copy) - both.vertices.row(vertex)).norm(), 1e-6, 1e-9);

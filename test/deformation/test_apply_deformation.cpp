@@ -103,14 +103,9 @@ TEST(ApplyDeformation, takesLittleLongerForOutliers) {
 
 TEST(ApplyDeformation, aPartThatTouchesDoesNotDrag) {
   const TriangleMesh one = test::grid(10, 10, 1, 1);
-  const auto n = one.vertices.rows(), m = one.faces.rows();
-  TriangleMesh both;
-  both.vertices.resize(2 * n, 3);
-  both.vertices << one.vertices, one.vertices.rowwise() + Eigen::RowVector3d(0, 0, 0.05);
-  both.faces.resize(2 * m, 3);
-  both.faces << one.faces, one.faces.array() + static_cast<int>(n);
+  const TriangleMesh both = test::joined(one, test::shifted(one, {0, 0, 0.05}));
   Points apart = both.vertices;
-  apart.bottomRows(n).col(2).array() += 5;  // the upper sheet leaves
+  apart.bottomRows(one.vertices.rows()).col(2).array() += 5;  // the upper sheet leaves
   Points under(1, 3), over(1, 3);
   under << 0.52, 0.47, 0.01;
   over << 0.52, 0.47, 0.04;
@@ -184,14 +179,11 @@ TEST(JoinedSurface, facetsThatShareNoVerticesAreJoined) {
 
 TEST(JoinedSurface, facetsAreJoinedOnEveryPart) {
   const TriangleMesh one = test::sphere(2);
-  const auto n = one.vertices.rows(), m = one.faces.rows();
-  TriangleMesh both{Points(2 * n, 3), Faces(2 * m, 3)};
-  both.vertices << one.vertices, (0.5 * one.vertices).rowwise() + Eigen::RowVector3d(3, 0, 0);
-  both.faces << one.faces, one.faces.array() + static_cast<int>(n);
-  const TriangleMesh facets = test::soup(both);
+  const TriangleMesh other = test::shifted({0.5 * one.vertices, one.faces}, {3, 0, 0});
+  const TriangleMesh facets = test::soup(test::joined(one, other));
   const DeformedSurface joined = joinedSurface(facets, 2 * facets.vertices);
-  EXPECT_EQ(joined.rest.vertices.rows(), 2 * n);
-  EXPECT_EQ(joined.rest.faces.rows(), 2 * m);
+  EXPECT_EQ(joined.rest.vertices.rows(), 2 * one.vertices.rows());
+  EXPECT_EQ(joined.rest.faces.rows(), 2 * one.faces.rows());
   EXPECT_EQ(connectedParts(joined.rest).area.size(), 2U);
   EXPECT_EQ(joined.deformed, 2 * joined.rest.vertices);
   for (int i = 0; i < facets.faces.size(); ++i)

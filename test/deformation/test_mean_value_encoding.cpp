@@ -68,16 +68,7 @@ TriangleMesh withDent(TriangleMesh mesh) {
   return mesh;
 }
 
-TriangleMesh twoParts() {
-  const TriangleMesh a = bumpy(), b = withDent(test::bentStrip(10, 5, 2, 1, 2));
-  TriangleMesh both;
-  const auto n = a.vertices.rows(), m = a.faces.rows();
-  both.vertices.resize(n + b.vertices.rows(), 3);
-  both.vertices << a.vertices, b.vertices;
-  both.faces.resize(m + b.faces.rows(), 3);
-  both.faces << a.faces, b.faces.array() + static_cast<int>(n);
-  return both;
-}
+TriangleMesh twoParts() { return test::joined(bumpy(), withDent(test::bentStrip(10, 5, 2, 1, 2))); }
 
 /// Three faces on one edge.
 TriangleMesh book() {

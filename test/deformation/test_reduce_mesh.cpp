@@ -243,10 +243,7 @@ TEST(ReduceMesh, takesStrangeMeshes) {
     finned.faces.row(m + k) << sphere.faces(0, k), sphere.faces(0, (k + 1) % 3), n;
 
   TriangleMesh& tied = strange[1];  // two spheres on one vertex
-  tied.vertices.conservativeResize(2 * n, 3);
-  tied.vertices.bottomRows(n) = sphere.vertices.rowwise() + 2 * sphere.vertices.row(0);
-  tied.faces.conservativeResize(2 * m, 3);
-  tied.faces.bottomRows(m) = sphere.faces.array() + n;
+  tied = test::joined(sphere, test::shifted(sphere, 2 * sphere.vertices.row(0)));
   int antipode = 0;
   (tied.vertices.bottomRows(n).rowwise() - tied.vertices.row(0))
       .rowwise()

@@ -60,12 +60,7 @@ TriangleMesh gridWithLoosePart(double height) {
 TEST(TargetMetric, MeasuresAcrossASeamThatRoundingOpened) {
   const TriangleMesh half = test::grid(10, 10, 10, 10);
   const auto n = half.vertices.rows();
-  TriangleMesh both;
-  both.vertices.resize(2 * n, 3);
-  both.vertices << half.vertices, half.vertices.rowwise() + Eigen::RowVector3d(10 + 1e-6, 0, 0);
-  both.faces.resize(2 * half.faces.rows(), 3);
-  both.faces << half.faces, half.faces.array() + static_cast<int>(n);
-  const TargetMetric metric(both);
+  const TargetMetric metric(test::joined(half, test::shifted(half, {10 + 1e-6, 0, 0})));
   Eigen::Index left = 0, right = 0;
   (half.vertices.col(0) + half.vertices.col(1)).minCoeff(&left);
   (half.vertices.col(0) - half.vertices.col(1)).maxCoeff(&right);

@@ -40,15 +40,12 @@ TEST(VoronoiSamples, coverTheSurfaceAndKeepApart) {
 
 TEST(VoronoiSamples, areTheFarthestVerticesTheFirstOfSeveral) {
   // Two grids, full of equal distances, and a vertex in no face.
-  TriangleMesh mesh = test::grid(24, 24, 1, 1);
-  const int n = static_cast<int>(mesh.vertices.rows());
-  const Points shifted = mesh.vertices.rowwise() + Eigen::RowVector3d(0, 0, 1);
-  const Faces more = mesh.faces.array() + n + 1;
-  mesh.vertices.conservativeResize(2 * n + 1, 3);
-  mesh.vertices.row(n) << 9, 9, 9;
-  mesh.vertices.bottomRows(n) = shifted;
-  mesh.faces.conservativeResize(2 * more.rows(), 3);
-  mesh.faces.bottomRows(more.rows()) = more;
+  const TriangleMesh grid = test::grid(24, 24, 1, 1);
+  const int n = static_cast<int>(grid.vertices.rows());
+  TriangleMesh loose = grid;
+  loose.vertices.conservativeResize(n + 1, 3);
+  loose.vertices.row(n) << 9, 9, 9;
+  const TriangleMesh mesh = test::joined(loose, test::shifted(grid, {0, 0, 1}));
 
   const FastMarching marching(mesh);
   const Landmarks landmarks = voronoiSamples(mesh, marching, 200);
@@ -138,13 +135,9 @@ TEST(Landmarks, pathsOnAClosedSurfaceAreTrusted) {
 
 TEST(Landmarks, whereThereIsNoPathNothingRunsAlongARim) {
   // Two sheets, whose paths within one another run along their rims.
-  TriangleMesh sheets = test::grid(8, 8, 1, 1);
-  const int n = static_cast<int>(sheets.vertices.rows()), m = static_cast<int>(sheets.faces.rows());
-  sheets.vertices.conservativeResize(2 * n, 3);
-  sheets.vertices.bottomRows(n) =
-      sheets.vertices.topRows(n).rowwise() + Eigen::RowVector3d(0, 0, 9);
-  sheets.faces.conservativeResize(2 * m, 3);
-  sheets.faces.bottomRows(m) = sheets.faces.topRows(m).array() + n;
+  const TriangleMesh sheet = test::grid(8, 8, 1, 1);
+  const TriangleMesh sheets = test::joined(sheet, test::shifted(sheet, {0, 0, 9}));
+  const int n = static_cast<int>(sheet.vertices.rows());
   const Landmarks landmarks = computeLandmarks(sheets, FastMarching(sheets), 20);
   EXPECT_LT(landmarks.confidence.minCoeff(), 1.0f);
   for (std::size_t i = 0; i < landmarks.vertices.size(); ++i)

@@ -16,15 +16,8 @@
 namespace posture {
 namespace {
 
+using test::joined;
 using Offset = Eigen::RowVector3d;
-
-TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
-  const auto n = a.vertices.rows(), m = a.faces.rows();
-  TriangleMesh both{Points(n + b.vertices.rows(), 3), Faces(m + b.faces.rows(), 3)};
-  both.vertices << a.vertices, b.vertices;
-  both.faces << a.faces, b.faces.array() + static_cast<int>(n);
-  return both;
-}
 
 /// A closed box, with its faces divided.
 TriangleMesh box(const Offset& from, const Offset& size) {

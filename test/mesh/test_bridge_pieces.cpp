@@ -18,6 +18,9 @@
 namespace posture {
 namespace {
 
+using test::joined;
+using test::shifted;
+
 /// Without the faces whose middle `drop` wants away.
 template <class Drop>
 TriangleMesh without(TriangleMesh mesh, const Drop& drop) {
@@ -31,7 +34,7 @@ TriangleMesh without(TriangleMesh mesh, const Drop& drop) {
   return mesh;
 }
 
-TriangleMesh joined(TriangleMesh mesh, const Bridges& bridges) {
+TriangleMesh bridged(TriangleMesh mesh, const Bridges& bridges) {
   mesh.faces.conservativeResize(mesh.faces.rows() + bridges.faces.rows(), 3);
   mesh.faces.bottomRows(bridges.faces.rows()) = bridges.faces;
   return mesh;
@@ -57,7 +60,7 @@ TEST(BridgePieces, joinPiecesAcrossNarrowGaps) {
   ASSERT_EQ(connectedParts(apart).area.size(), 3u);
   const Bridges bridges = bridgePieces(apart);
   EXPECT_EQ(bridges.pieces, 2);
-  const TriangleMesh mesh = joined(apart, bridges);
+  const TriangleMesh mesh = bridged(apart, bridges);
   EXPECT_EQ(connectedParts(mesh).area.size(), 1u);
   expectSound(mesh);
   // All along the gap, and flat as the sheet is.
@@ -86,32 +89,17 @@ TEST(BridgePieces, joinTheHalvesOfASphere) {
   ASSERT_EQ(connectedParts(apart).area.size(), 2u);
   const Bridges bridges = bridgePieces(apart);
   EXPECT_EQ(bridges.pieces, 1);
-  const TriangleMesh mesh = joined(apart, bridges);
+  const TriangleMesh mesh = bridged(apart, bridges);
   expectSound(mesh);
   // Nearly all of the band is closed again.
   EXPECT_GT(faceAreas(mesh).sum() - faceAreas(apart).sum(),
             0.8 * (faceAreas(test::sphere(4)).sum() - faceAreas(apart).sum()));
 }
 
-/// The second mesh beside the first.
-TriangleMesh beside(TriangleMesh mesh, const TriangleMesh& other) {
-  const auto n = mesh.vertices.rows(), m = mesh.faces.rows();
-  mesh.vertices.conservativeResize(n + other.vertices.rows(), 3);
-  mesh.vertices.bottomRows(other.vertices.rows()) = other.vertices;
-  mesh.faces.conservativeResize(m + other.faces.rows(), 3);
-  mesh.faces.bottomRows(other.faces.rows()) = other.faces.array() + static_cast<int>(n);
-  return mesh;
-}
-
-TriangleMesh moved(TriangleMesh mesh, double x, double y, double z) {
-  mesh.vertices.rowwise() += Eigen::RowVector3d(x, y, z);
-  return mesh;
-}
-
 /// A sheet, another right above it, which no face may go on to, and a strip near that one alone.
 TriangleMesh layers() {
   const TriangleMesh sheet = test::grid(40, 40, 4, 4), strip = test::grid(40, 10, 4, 1);
-  return beside(beside(sheet, moved(sheet, 0, 0, 0.2)), moved(strip, 0, -1.1, 0.3));
+  return joined(joined(sheet, shifted(sheet, {0, 0, 0.2})), shifted(strip, {0, -1.1, 0.3}));
 }
 
 TEST(BridgePieces, countOnlyWhatIsJoinedToTheLargest) {
@@ -122,11 +110,11 @@ TEST(BridgePieces, countOnlyWhatIsJoinedToTheLargest) {
 
 TEST(BridgePieces, joinByWayOfAnotherWhatCannotBeJoinedItself) {
   // A strip between the two sheets that goes on beyond the rim of either.
-  const TriangleMesh mesh = beside(layers(), moved(test::grid(40, 10, 4, 1), 0, -1.05, 0.1));
+  const TriangleMesh mesh = joined(layers(), shifted(test::grid(40, 10, 4, 1), {0, -1.05, 0.1}));
   const Bridges bridges = bridgePieces(mesh);
   EXPECT_EQ(bridges.pieces, 3);
-  EXPECT_EQ(connectedParts(joined(mesh, bridges)).area.size(), 1u);
-  expectSound(joined(mesh, bridges));
+  EXPECT_EQ(connectedParts(bridged(mesh, bridges)).area.size(), 1u);
+  expectSound(bridged(mesh, bridges));
 }
 
 TEST(BridgePieces, joinThousandsOfPieces) {
@@ -138,8 +126,8 @@ TEST(BridgePieces, joinThousandsOfPieces) {
       });
   const Bridges bridges = bridgePieces(apart);
   EXPECT_EQ(bridges.pieces, SIDE * SIDE - 1);
-  EXPECT_EQ(connectedParts(joined(apart, bridges)).area.size(), 1u);
-  expectSound(joined(apart, bridges));
+  EXPECT_EQ(connectedParts(bridged(apart, bridges)).area.size(), 1u);
+  expectSound(bridged(apart, bridges));
 }
 
 TEST(BridgePieces, leaveEdgesWithManyFacesAlone) {
@@ -170,7 +158,8 @@ TEST(BridgePieces, leaveEdgesWithManyFacesAlone) {
 
 TEST(BridgePieces, havePiecesWithoutARimAlone) {
   const TriangleMesh ball = test::sphere(2), sheet = test::grid(40, 40, 4, 4);
-  const TriangleMesh mesh = beside(moved({0.2 * ball.vertices, ball.faces}, -0.25, 2, 0), sheet);
+  const TriangleMesh mesh =
+      joined(shifted({0.2 * ball.vertices, ball.faces}, {-0.25, 2, 0}), sheet);
   EXPECT_EQ(bridgePieces(mesh).pieces, 0);
   EXPECT_EQ(bridgePieces(ball).pieces, 0);
 }

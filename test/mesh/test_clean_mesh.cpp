@@ -18,6 +18,9 @@
 namespace posture {
 namespace {
 
+using test::joined;
+using test::shifted;
+
 double volume(const TriangleMesh& mesh) {
   double sum = 0;
   for (int f = 0; f < mesh.faces.rows(); ++f) {
@@ -39,19 +42,6 @@ TriangleMesh below(TriangleMesh mesh, const Eigen::Vector2d& most) {
   }
   mesh.faces.conservativeResize(kept, 3);
   return mesh;
-}
-
-/// `second` after `first`, shifted.
-TriangleMesh together(const TriangleMesh& first,
-                      const TriangleMesh& second,
-                      const Eigen::RowVector3d& shift) {
-  TriangleMesh both;
-  const int n = static_cast<int>(first.vertices.rows());
-  both.vertices.resize(n + second.vertices.rows(), 3);
-  both.vertices << first.vertices, second.vertices.rowwise() + shift;
-  both.faces.resize(first.faces.rows() + second.faces.rows(), 3);
-  both.faces << first.faces, (second.faces.array() + n).matrix();
-  return both;
 }
 
 TEST(CleanMesh, leavesACleanMeshAsItIs) {
@@ -95,7 +85,7 @@ TEST(CleanMesh, loosePartsFollowTheSurfaceTheyAreNearestTo) {
   TriangleMesh eye = test::sphere(0);
   eye.vertices *= 0.1;
   const TriangleMesh head = test::sphere(3);
-  const CleanMesh clean = cleanMesh(together(eye, head, {0, 0, 0}));
+  const CleanMesh clean = cleanMesh(joined(eye, head));
   EXPECT_EQ(clean.summary.components, 2);
   EXPECT_EQ(clean.summary.loose_vertices, eye.vertices.rows());
   EXPECT_EQ(clean.mesh.vertices.rows(), head.vertices.rows());
@@ -114,7 +104,8 @@ TEST(CleanMesh, keepsPiecesThatAreNoCrumbs) {
   half.vertices *= 0.5;
   half.faces.col(0).swap(half.faces.col(1));
   crumb.vertices *= 0.01;
-  const TriangleMesh mesh = together(together(ball, half, {3, 0, 0}), crumb, {0, 3, 0});
+  const TriangleMesh mesh =
+      joined(joined(ball, shifted(half, {3, 0, 0})), shifted(crumb, {0, 3, 0}));
   const CleanMesh clean = cleanMesh(mesh);
   ASSERT_EQ(clean.pieces.vertices.rows(), half.vertices.rows());
   EXPECT_EQ(clean.pieces.faces.rows(), half.faces.rows());
@@ -216,7 +207,7 @@ TEST(CleanMesh, doesNotTellTheOutsideOfTwoLayers) {
   const TriangleMesh sheet = test::grid(8, 8, 1, 1);
   TriangleMesh back = sheet;
   back.faces.col(0).swap(back.faces.col(1));
-  TriangleMesh bag = together(sheet, back, {0, 0, -1e-3});
+  TriangleMesh bag = joined(sheet, shifted(back, {0, 0, -1e-3}));
   const auto n = sheet.vertices.rows();
   const Eigen::RowVector3d far = sheet.vertices.colwise().maxCoeff();
   for (Eigen::Index v = 0; v < n; ++v) {
@@ -244,7 +235,8 @@ TEST(CleanMesh, leavesAShellTheWayItFaces) {
 
 TEST(CleanMesh, turnsPiecesThatDoNotTellTheWayTheMainSurfaceWasTurned) {
   const TriangleMesh sphere = test::sphere(3), shell = below(sphere, {1.0, 0.0});
-  TriangleMesh all = together(together(sphere, shell, {4, 0, 0}), test::sphere(2), {8, 0, 0});
+  TriangleMesh all =
+      joined(joined(sphere, shifted(shell, {4, 0, 0})), shifted(test::sphere(2), {8, 0, 0}));
   all.vertices.topRows(sphere.vertices.rows()) *= 2;
   TriangleMesh inside_out = all;
   inside_out.faces.col(0).swap(inside_out.faces.col(1));
@@ -350,7 +342,7 @@ TEST(CornerPlaces, countsAPlaceOnceHoweverOftenTheFileHasIt) {
 TEST(CleanMesh, facesOfAPieceAreTurnedAsThePieceIsOriented) {
   TriangleMesh small = test::sphere(2);
   small.vertices *= 0.4;
-  TriangleMesh mixed = together(test::sphere(2), small, {5, 0, 0});
+  TriangleMesh mixed = joined(test::sphere(2), shifted(small, {5, 0, 0}));
   const auto n = small.faces.rows();
   // The piece is inside out, but for some faces; the main surface has a face turned, too.
   for (Eigen::Index f = n; f < 2 * n; ++f)

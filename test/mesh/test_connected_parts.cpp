@@ -11,11 +11,7 @@ namespace {
 
 TEST(ConnectedParts, areNumberedByTheirFirstFaceAndHaveTheirArea) {
   const TriangleMesh small = test::grid(2, 2, 1, 1), large = test::grid(3, 1, 3, 1);
-  TriangleMesh mesh;
-  mesh.vertices.resize(small.vertices.rows() + large.vertices.rows(), 3);
-  mesh.vertices << small.vertices, large.vertices;
-  mesh.faces.resize(small.faces.rows() + large.faces.rows(), 3);
-  mesh.faces << small.faces, large.faces.array() + static_cast<int>(small.vertices.rows());
+  const TriangleMesh mesh = test::joined(small, large);
   const ConnectedParts parts = connectedParts(mesh);
   ASSERT_EQ(parts.area.size(), 2u);
   EXPECT_DOUBLE_EQ(parts.area[0], 1);

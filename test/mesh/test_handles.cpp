@@ -13,14 +13,6 @@
 namespace posture {
 namespace {
 
-TriangleMesh both(const TriangleMesh& a, const TriangleMesh& b) {
-  TriangleMesh sum{Points(a.vertices.rows() + b.vertices.rows(), 3),
-                   Faces(a.faces.rows() + b.faces.rows(), 3)};
-  sum.vertices << a.vertices, b.vertices;
-  sum.faces << a.faces, b.faces.array() + static_cast<int>(a.vertices.rows());
-  return sum;
-}
-
 TriangleMesh withoutFaces(TriangleMesh mesh, int first, int count) {
   const Faces rest = mesh.faces.bottomRows(mesh.faces.rows() - first - count);
   mesh.faces.middleRows(first, rest.rows()) = rest;
@@ -73,8 +65,8 @@ TEST(Handles, AreCountedWhateverHolesAndPartsThereAre) {
   EXPECT_EQ(Handles(withoutFaces(ring, 100, 2)).count(), 1);
   // Without all faces at one place around, it is an open tube.
   EXPECT_EQ(Handles(withoutFaces(ring, 24, 24)).count(), 0);
-  EXPECT_EQ(Handles(both(ring, ring)).count(), 2);
-  EXPECT_EQ(Handles(both(ring, test::sphere(1))).count(), 1);
+  EXPECT_EQ(Handles(test::joined(ring, ring)).count(), 2);
+  EXPECT_EQ(Handles(test::joined(ring, test::sphere(1))).count(), 1);
   EXPECT_EQ(Handles(test::fused(ring, 0, 12 * 12)).count(), 2);
 }
 

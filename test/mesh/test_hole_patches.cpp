@@ -133,12 +133,7 @@ TEST(HolePatches, DoNotOvershootBesideLongFaces) {
       plate.faces.row(2 * i + 1) << j, RIM + i, RIM + j;
     }
     // Patches have no more vertices than the mesh: some beside it.
-    const TriangleMesh sheet = test::grid(30, 30, 1, 1);
-    plate.vertices.conservativeResize(2 * RIM + sheet.vertices.rows(), 3);
-    plate.vertices.bottomRows(sheet.vertices.rows()) =
-        sheet.vertices.rowwise() + Eigen::RowVector3d(0, 0, 100);
-    plate.faces.conservativeResize(2 * RIM + sheet.faces.rows(), 3);
-    plate.faces.bottomRows(sheet.faces.rows()) = sheet.faces.array() + 2 * RIM;
+    plate = test::joined(plate, test::shifted(test::grid(30, 30, 1, 1), {0, 0, 100}));
     const HolePatches patches = patchHoles(plate);
     ASSERT_EQ(patches.holes, 1);
     EXPECT_LT(faceAreas(patched(plate, patches)).sum() - faceAreas(plate).sum(), 3 * M_PI);

@@ -53,13 +53,8 @@ TEST(Seams, ofFacesListedTwiceAreClosed) {
 
 TEST(Seams, nothingElseMoves) {
   // Two sheets a fiftieth of an edge apart; a strip a thousandth of its length wide; a closed body.
-  TriangleMesh sheets = test::grid(6, 6, 6, 6);
-  const auto n = sheets.vertices.rows(), m = sheets.faces.rows();
-  sheets.vertices.conservativeResize(2 * n, 3);
-  sheets.vertices.bottomRows(n) =
-      sheets.vertices.topRows(n).rowwise() + Eigen::RowVector3d(0, 0, 0.02);
-  sheets.faces.conservativeResize(2 * m, 3);
-  sheets.faces.bottomRows(m) = (sheets.faces.topRows(m).array() + static_cast<int>(n)).matrix();
+  const TriangleMesh sheet = test::grid(6, 6, 6, 6);
+  const TriangleMesh sheets = test::joined(sheet, test::shifted(sheet, {0, 0, 0.02}));
   for (TriangleMesh mesh : {sheets, test::grid(9, 1, 1, 1e-3), test::sphere(3)}) {
     const Points before = mesh.vertices;
     EXPECT_EQ(closeSeams(mesh), 0);

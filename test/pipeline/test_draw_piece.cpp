@@ -118,14 +118,9 @@ TEST(DrawPiece, doesNotDependOnFramesAndOrder) {
 TEST(DrawPiece, saysNothingWhereAPieceFitsTwice) {
   // The same limb twice, at right angles.
   const TriangleMesh piece = limb();
-  TriangleMesh both = movedMesh(turn(0.8, {1, 0, 0}), piece);
-  const TriangleMesh second = movedMesh(turn(-0.8, {1, 0, 0}), piece);
-  const auto n = both.vertices.rows(), m = both.faces.rows();
-  both.vertices.conservativeResize(2 * n, 3);
-  both.vertices.bottomRows(n) = second.vertices;
-  both.faces.conservativeResize(2 * m, 3);
-  both.faces.bottomRows(m) = second.faces.array() + static_cast<int>(n);
-  const Target target(both), one(movedMesh(turn(0.8, {1, 0, 0}), piece)), other(second);
+  const TriangleMesh first = movedMesh(turn(0.8, {1, 0, 0}), piece),
+                     second = movedMesh(turn(-0.8, {1, 0, 0}), piece);
+  const Target target(test::joined(first, second)), one(first), other(second);
   EXPECT_TRUE(drawPiece(one.part(), pieceOf(piece), Eigen::Isometry3d::Identity()));
   EXPECT_TRUE(drawPiece(other.part(), pieceOf(piece), Eigen::Isometry3d::Identity()));
   EXPECT_FALSE(drawPiece(target.part(), pieceOf(piece), Eigen::Isometry3d::Identity()));

@@ -23,11 +23,7 @@ TriangleMesh onFloor(const TriangleMesh& body, double size) {
   TriangleMesh floor = test::grid(30, 30, size, size);
   floor.vertices.leftCols(2).array() -= 0.5 * size;
   floor.vertices.col(2).setConstant(body.vertices.col(2).minCoeff());
-  const auto n = body.vertices.rows(), m = body.faces.rows();
-  TriangleMesh mesh{Points(n + floor.vertices.rows(), 3), Faces(m + floor.faces.rows(), 3)};
-  mesh.vertices << body.vertices, floor.vertices;
-  mesh.faces << body.faces, floor.faces.array() + static_cast<int>(n);
-  return mesh;
+  return test::joined(body, floor);
 }
 
 /// Two poses of a quadruped, each on a floor of its own.
@@ -91,11 +87,8 @@ TEST(LeaveOutBackground, aPlaceOfTheBodyIsTheBodysWhicheverVertexIsTheFirstThere
   const Eigen::RowVector3d shift =
       Eigen::RowVector3d(15 * side, 15 * side, 0) - spindle.vertices.row(foot);
   spindle.vertices.rowwise() += shift;
-  TriangleMesh mesh{Points(floor.vertices.rows() + spindle.vertices.rows(), 3),
-                    Faces(floor.faces.rows() + spindle.faces.rows(), 3)};
-  mesh.vertices << floor.vertices, spindle.vertices;
+  TriangleMesh mesh = test::joined(floor, spindle);
   const int n = static_cast<int>(floor.vertices.rows());
-  mesh.faces << floor.faces, spindle.faces.array() + n;
   int at_foot = -1;
   for (int v = 0; v < n; ++v)
     if ((floor.vertices.row(v) - spindle.vertices.row(foot)).norm() < 1e-9) at_foot = v;

@@ -12,14 +12,11 @@ namespace {
 /// Spheres of these radii beside each other, of 162 vertices each.
 TriangleMesh spheres(const std::vector<double>& radii) {
   const TriangleMesh ball = test::sphere(2);
-  const auto n = ball.vertices.rows(), m = ball.faces.rows();
-  const auto count = static_cast<Eigen::Index>(radii.size());
-  TriangleMesh mesh{Points(count * n, 3), Faces(count * m, 3)};
-  for (Eigen::Index k = 0; k < count; ++k) {
-    mesh.vertices.middleRows(k * n, n) = radii[k] * ball.vertices;
-    mesh.vertices.middleRows(k * n, n).col(0).array() += 3.0 * static_cast<double>(k);
-    mesh.faces.middleRows(k * m, m) = ball.faces.array() + static_cast<int>(k * n);
-  }
+  TriangleMesh mesh{Points(0, 3), Faces(0, 3)};
+  for (std::size_t k = 0; k < radii.size(); ++k)
+    mesh = test::joined(mesh,
+                        test::shifted({radii[k] * ball.vertices, ball.faces},
+                                      {3.0 * static_cast<double>(k), 0, 0}));
   return mesh;
 }
 

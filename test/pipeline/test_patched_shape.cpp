@@ -149,10 +149,7 @@ TEST(LeaveOutPatches, whatLiesBesideTheRimGoesToItAndTheRestHasNoCounterpart) {
 TEST(LeaveOutPatches, onAWideStripOnlyWhatIsBesideAVertexHasACounterpart) {
   // Two squares of surface and a strip of two long faces between them.
   const TriangleMesh square = test::grid(10, 10, 1, 1);
-  const auto n = static_cast<int>(square.vertices.rows());
-  TriangleMesh two{Points(2 * n, 3), Faces(2 * square.faces.rows(), 3)};
-  two.vertices << square.vertices, square.vertices.rowwise() + Eigen::RowVector3d(1.5, 0, 0);
-  two.faces << square.faces, square.faces.array() + n;
+  const TriangleMesh two = test::joined(square, test::shifted(square, {1.5, 0, 0}));
   const CleanMesh clean = cleanMesh(two);
   const auto at = [&](double x, double y) {
     Eigen::Index nearest = 0;

@@ -7,6 +7,7 @@
 
 #include "refined/completion/whole_source.h"
 #include "support/bodies.h"
+#include "support/shapes.h"
 
 namespace posture {
 namespace {
@@ -32,15 +33,11 @@ TEST(WholeSource, whatHasNoCounterpartLiesAsTheRestGoes) {
 }
 
 TEST(WholeSource, aPieceThatHasItsPlaceKeepsIt) {
-  TriangleMesh body = test::person(0, 0).mesh;
-  const auto n = body.vertices.rows();
-  const Faces own = body.faces;
-  // A small copy beside it.
-  body.vertices.conservativeResize(2 * n, 3);
-  body.vertices.bottomRows(n) = (0.3 * body.vertices.topRows(n)).rowwise() +
-                                Eigen::RowVector3d(10, 0, 0) * rootArea({body.vertices, own});
-  body.faces.conservativeResize(2 * own.rows(), 3);
-  body.faces.bottomRows(own.rows()) = own.array() + static_cast<int>(n);
+  const TriangleMesh large = test::person(0, 0).mesh;
+  const auto n = large.vertices.rows();
+  const TriangleMesh small =
+      test::shifted({0.3 * large.vertices, large.faces}, {10 * rootArea(large), 0, 0});
+  const TriangleMesh body = test::joined(large, small);
   const CleanMesh clean = cleanMesh(body);
   RegistrationResult result;
   result.scale = 1;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/bodies.h"
+#include "support/shapes.h"
 #include "support/unit_area.h"
 #include <omp.h>
 
@@ -61,14 +62,7 @@ TEST(SurfacePlaces, areSpreadOverAllPiecesWhateverTheirOrder) {
       whole, [&](int v) { return whole.vertices(v, 0) > 0.1; }, front_vertex);
   const TriangleMesh back = part(
       whole, [&](int v) { return whole.vertices(v, 0) < -0.1; }, back_vertex);
-  const auto both = [](const TriangleMesh& x, const TriangleMesh& y) {
-    TriangleMesh mesh{Points(x.vertices.rows() + y.vertices.rows(), 3),
-                      Faces(x.faces.rows() + y.faces.rows(), 3)};
-    mesh.vertices << x.vertices, y.vertices;
-    mesh.faces << x.faces, y.faces.array() + static_cast<int>(x.vertices.rows());
-    return SurfacePlaces(mesh);
-  };
-  const SurfacePlaces places = both(front, back), other = both(back, front);
+  const SurfacePlaces places(test::joined(front, back)), other(test::joined(back, front));
   EXPECT_EQ(places.places, other.places);
   EXPECT_EQ(places.on_boundary, other.on_boundary);
   const auto in_front = (places.places.col(0).array() > 0).count();

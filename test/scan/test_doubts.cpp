@@ -15,12 +15,8 @@ namespace {
 /// Two sheets of 20 x 20 quads of side `edge` that look away from each other.
 TriangleMesh sheets(double edge, double gap) {
   const TriangleMesh sheet = test::grid(20, 20, 20 * edge, 20 * edge);
-  const auto n = sheet.vertices.rows(), m = sheet.faces.rows();
-  TriangleMesh both{Points(2 * n, 3), Faces(2 * m, 3)};
-  both.vertices << sheet.vertices, sheet.vertices;
-  both.vertices.bottomRows(n).col(2).array() -= gap;
-  both.faces << sheet.faces, sheet.faces.rowwise().reverse().array() + static_cast<int>(n);
-  return both;
+  const TriangleMesh turned{sheet.vertices, sheet.faces.rowwise().reverse()};
+  return test::joined(sheet, test::shifted(turned, {0, 0, -gap}));
 }
 
 TEST(ThinShare, isThatOfPartsThinnerThanThreeSpacings) {
@@ -57,13 +53,8 @@ TEST(PossibleContacts, areSharpValleysWithoutAShortWayAround) {
 }
 
 TEST(PossibleContacts, areCountedPlaceByPlace) {
-  TriangleMesh two = furrow(1000, 20, 0.7);
-  const auto n = two.vertices.rows(), m = two.faces.rows();
-  two.vertices.conservativeResize(2 * n, 3);
-  two.vertices.bottomRows(n) = two.vertices.topRows(n).rowwise() + Eigen::RowVector3d(100, 0, 0);
-  two.faces.conservativeResize(2 * m, 3);
-  two.faces.bottomRows(m) = two.faces.topRows(m).array() + static_cast<int>(n);
-  EXPECT_EQ(contacts(two), 2);
+  const TriangleMesh one = furrow(1000, 20, 0.7);
+  EXPECT_EQ(contacts(test::joined(one, test::shifted(one, {100, 0, 0}))), 2);
 }
 
 }  // namespace

@@ -151,6 +151,19 @@ TriangleMesh fused(const TriangleMesh& mesh, int a, int b) {
   return result;
 }
 
+TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
+  TriangleMesh both{Points(a.vertices.rows() + b.vertices.rows(), 3),
+                    Faces(a.faces.rows() + b.faces.rows(), 3)};
+  both.vertices << a.vertices, b.vertices;
+  both.faces << a.faces, b.faces.array() + static_cast<int>(a.vertices.rows());
+  return both;
+}
+
+TriangleMesh shifted(TriangleMesh mesh, const Eigen::RowVector3d& by) {
+  mesh.vertices.rowwise() += by;
+  return mesh;
+}
+
 TriangleMesh soup(const TriangleMesh& mesh) {
   TriangleMesh loose{Points(mesh.faces.size(), 3), Faces(mesh.faces.rows(), 3)};
   for (int f = 0; f < mesh.faces.rows(); ++f)

@@ -27,6 +27,11 @@ TriangleMesh torus(int around, int across, double ring_radius, double tube_radiu
 /// vertices are left without a face. One handle more.
 TriangleMesh fused(const TriangleMesh& mesh, int a, int b);
 
+/// The second mesh beside the first, whose vertices and faces come first.
+TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b);
+
+TriangleMesh shifted(TriangleMesh mesh, const Eigen::RowVector3d& by);
+
 /// Every corner with a vertex of its own, as STL has them: vertex 3 f + k is corner k of face f.
 TriangleMesh soup(const TriangleMesh& mesh);
 

@@ -100,14 +100,7 @@ TEST(DepthCamera, MeasuresBetweenTheDepthsAtSilhouettesOnly) {
   defects.depth_edge = 0.1;
   TriangleMesh mesh = plate(2);
   mesh.vertices.leftCols(2) *= 0.4;
-  const TriangleMesh behind = plate(3);
-  const auto n = mesh.vertices.rows();
-  mesh.vertices.conservativeResize(n + behind.vertices.rows(), 3);
-  mesh.vertices.bottomRows(behind.vertices.rows()) = behind.vertices;
-  const auto m = mesh.faces.rows();
-  mesh.faces.conservativeResize(m + behind.faces.rows(), 3);
-  mesh.faces.bottomRows(behind.faces.rows()) = behind.faces.array() + static_cast<int>(n);
-  const DepthImage image = take(mesh, defects);
+  const DepthImage image = take(test::joined(mesh, plate(3)), defects);
   int between = 0;
   for (Eigen::Index pixel = 0; pixel < image.depth.size(); ++pixel) {
     const double depth = image.depth[pixel];
