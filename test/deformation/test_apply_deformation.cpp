@@ -4,10 +4,10 @@
 #include <posture/mesh/connected_parts.h>
 #include <posture/mesh/normals.h>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "support/cpu_seconds.h"
+#include "support/motions.h"
 #include "support/shapes.h"
 #include <cmath>
 #include <limits>
@@ -15,14 +15,8 @@
 namespace posture {
 namespace {
 
-Eigen::Affine3d similarity() {
-  return Eigen::Translation3d(1, -2, 3) *
-         Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, -1).normalized()) * Eigen::Scaling(0.3);
-}
-
-Points moved(const Points& points, const Eigen::Affine3d& by) {
-  return (by * points.transpose()).transpose();
-}
+using test::moved;
+using test::similarity;
 
 double gap(const Points& x, const Points& y) { return (x - y).rowwise().norm().maxCoeff(); }
 

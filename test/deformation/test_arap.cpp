@@ -7,11 +7,15 @@
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
 
+#include "support/motions.h"
 #include "support/shapes.h"
 #include <cmath>
 
 namespace posture {
 namespace {
+
+using test::motion;
+using test::moved;
 
 /// A surface with what bends it.
 struct Bendable {
@@ -24,15 +28,6 @@ struct Bendable {
 };
 
 int vertexCount(const Bendable& surface) { return static_cast<int>(surface.mesh.vertices.rows()); }
-
-Eigen::Isometry3d motion(double angle) {
-  return Eigen::Translation3d(1, -2, 3) *
-         Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, -1).normalized());
-}
-
-Points moved(const Points& points, const Eigen::Isometry3d& by) {
-  return (by * points.transpose()).transpose();
-}
 
 /// Mean distance between corresponding places.
 double gap(const Points& x, const Points& y) { return (x - y).rowwise().norm().mean(); }

@@ -5,16 +5,19 @@
 #include <posture/mesh/edges.h>
 #include <posture/mesh/nearest_on_faces.h>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "completion_terms.h"
 #include "mean_value_term.h"
+#include "support/motions.h"
 #include "support/shapes.h"
 #include <cmath>
 
 namespace posture {
 namespace {
+
+using test::moved;
+using test::similarity;
 
 TriangleMesh bumpy(int levels) {
   TriangleMesh mesh = test::sphere(levels);
@@ -23,15 +26,6 @@ TriangleMesh bumpy(int levels) {
     mesh.vertices.row(v) *= 1 + 0.25 * std::sin(3 * p.x() + 1) * std::cos(2 * p.y() + p.z());
   }
   return mesh;
-}
-
-Eigen::Affine3d similarity() {
-  return Eigen::Translation3d(10, -2, 3) *
-         Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, -1).normalized()) * Eigen::Scaling(7.0);
-}
-
-TriangleMesh moved(const TriangleMesh& mesh) {
-  return {(similarity() * mesh.vertices.transpose()).transpose(), mesh.faces};
 }
 
 /// Every third vertex is matched with its own copy.
@@ -118,7 +112,7 @@ TEST(Completion, derivativesAreThoseOfDifferences) {
 }
 
 TEST(Completion, findsARigidlyMovedCopy) {
-  const TriangleMesh source = bumpy(3), target = moved(source);
+  const TriangleMesh source = bumpy(3), target = moved(source, similarity());
   const Completion completion =
       completeDeformation(source, noisy(target, 0.3), someMatches(source), target);
   EXPECT_NEAR(completion.scale, 7, 0.5);
@@ -127,14 +121,14 @@ TEST(Completion, findsARigidlyMovedCopy) {
 }
 
 TEST(Completion, staysWhereNothingIsLeftToDo) {
-  const TriangleMesh source = bumpy(3), target = moved(source);
+  const TriangleMesh source = bumpy(3), target = moved(source, similarity());
   const Completion completion =
       completeDeformation(source, target.vertices, someMatches(source), target);
   EXPECT_LT(farthestOff(completion, target), 1e-6);
 }
 
 TEST(Completion, doesNotFollowWrongMatches) {
-  const TriangleMesh source = bumpy(3), target = moved(source);
+  const TriangleMesh source = bumpy(3), target = moved(source, similarity());
   Correspondence matches = someMatches(source);
   const Correspondence right = matches;
   // One matched vertex of seven, and a whole patch, belong elsewhere.
@@ -147,7 +141,7 @@ TEST(Completion, doesNotFollowWrongMatches) {
 
 TEST(Completion, isFreeOverAHoleAndFollowsItsOwnShape) {
   const TriangleMesh source = bumpy(3);
-  TriangleMesh target = moved(source);
+  TriangleMesh target = moved(source, similarity());
   const auto inHole = [&](int v) { return source.vertices.row(v).normalized().x() > 0.9; };
   Faces left(target.faces.rows(), 3);
   int count = 0;
@@ -185,14 +179,14 @@ TEST(Completion, keepsLengthsWhereMatchesDoNot) {
 }
 
 TEST(Completion, goesFromCoarseToFine) {
-  const TriangleMesh source = bumpy(5), target = moved(source);
+  const TriangleMesh source = bumpy(5), target = moved(source, similarity());
   const Completion completion =
       completeDeformation(source, noisy(target, 0.3), someMatches(source), target);
   EXPECT_LT(farthestOff(completion, target), 0.3);
 }
 
 TEST(Completion, refusesWhatDoesNotFit) {
-  const TriangleMesh source = bumpy(1), target = moved(source);
+  const TriangleMesh source = bumpy(1), target = moved(source, similarity());
   const Correspondence matches = someMatches(source);
   const Points& start = target.vertices;
   EXPECT_THROW(completeDeformation(source, start.topRows(3), matches, target),

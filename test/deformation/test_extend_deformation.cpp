@@ -3,9 +3,9 @@
 #include <posture/deformation/extend_deformation.h>
 #include <posture/mesh/edges.h>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/motions.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <cmath>
@@ -19,9 +19,7 @@ struct Moved {
   Moved() : rest(test::sphere(4)) {
     rest.vertices.col(0) *= 2;
     rest.vertices.col(1) *= 1.4;
-    const Eigen::Isometry3d motion = Eigen::Translation3d(4, 1, -2) *
-                                     Eigen::AngleAxisd(1.2, Eigen::Vector3d(1, 2, -1).normalized());
-    places = (motion * rest.vertices.transpose()).transpose();
+    places = test::moved(rest.vertices, test::motion(1.2));
   }
 
   std::vector<char> beyond(double x) const {

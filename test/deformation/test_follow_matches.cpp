@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/motions.h"
 #include "support/shapes.h"
 #include <cmath>
 
@@ -14,11 +15,7 @@ namespace {
 TEST(FollowMatches, carriesARigidMotionToEverything) {
   const TriangleMesh sphere = test::sphere(3);
   const int n = static_cast<int>(sphere.vertices.rows());
-  const Eigen::Isometry3d motion = Eigen::Translation3d(1, -2, 3) *
-                                   Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 1, 0).normalized());
-  const auto moved = [&](const Points& p) -> Points {
-    return (motion * p.transpose()).transpose();
-  };
+  const auto moved = [](const Points& p) { return test::moved(p, test::motion(0.8)); };
   std::vector<char> known(n, 0);
   for (int v = 0; v < n; v += 3) known[v] = 1;
   Points extra(3, 3);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/motions.h"
 #include "support/shapes.h"
 #include <cmath>
 #include <cstdlib>
@@ -15,14 +16,8 @@
 namespace posture {
 namespace {
 
-Eigen::Affine3d similarity() {
-  return Eigen::Translation3d(100, -20, 3) *
-         Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, -1).normalized()) * Eigen::Scaling(7.0);
-}
-
-Points moved(const Points& points, const Eigen::Affine3d& by) {
-  return (by * points.transpose()).transpose();
-}
+using test::moved;
+using test::similarity;
 
 TriangleMesh meshOf(std::initializer_list<Eigen::RowVector3d> vertices,
                     std::initializer_list<Eigen::RowVector3i> faces) {
@@ -157,8 +152,7 @@ TEST(MeanValueEncoding, holdsForTheShapeItIsOf) {
 TEST(MeanValueEncoding, isThatOfAnySimilarShape) {
   for (const TriangleMesh& mesh : shapes()) {
     const MeanValueEncoding once = encodeMeanValues(mesh);
-    const MeanValueEncoding again =
-        encodeMeanValues({moved(mesh.vertices, similarity()), mesh.faces});
+    const MeanValueEncoding again = encodeMeanValues(moved(mesh, similarity()));
     EXPECT_EQ(once.first, again.first);
     EXPECT_EQ(once.corner, again.corner);
     EXPECT_LT((once.offset - again.offset).cwiseAbs().maxCoeff(), 1e-10);

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "refine/poses.h"
+#include "support/motions.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <cmath>
@@ -39,8 +40,6 @@ Eigen::Isometry3d motion() {
   return Eigen::Translation3d(0.4, 0.5, -0.6) *
          Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, -2, 3).normalized());
 }
-
-Points moved(const Points& points) { return (motion() * points.transpose()).transpose(); }
 
 double meanGap(const Points& x, const Points& y) { return (x - y).rowwise().norm().mean(); }
 
@@ -140,7 +139,7 @@ TEST(Settle, normalsTellTheTwoSidesOfAThinBody) {
 
 TEST(Settle, leavesARigidMotionAsItIs) {
   const TriangleMesh mesh = test::bentStrip(20, 10, 2, 1, 2);
-  const BendableSurface a(mesh), b({moved(mesh.vertices), mesh.faces});
+  const BendableSurface a(mesh), b(test::moved(mesh, motion()));
   std::vector<int> same(mesh.vertices.rows());
   for (std::size_t v = 0; v < same.size(); ++v) same[v] = static_cast<int>(v);
   BentPair pair = startFrom(a, b, {same, same});
@@ -239,10 +238,10 @@ TEST(Settle, doesNotDrawASurfaceToTheRimOfAHole) {
 
 TEST(CarryUp, ofARigidMotionIsThatMotion) {
   const TriangleMesh a = test::spectralSurface(test::bentStrip(40, 20, 2, 1, 2), 3).mesh;
-  const TriangleMesh b{moved(a.vertices), a.faces};
+  const TriangleMesh b = test::moved(a, motion());
   const ReducedMesh reduced_a = reduceMesh(a, 200);
   ReducedMesh reduced_b = reduced_a;
-  reduced_b.mesh.vertices = moved(reduced_a.mesh.vertices);
+  reduced_b.mesh.vertices = test::moved(reduced_a.mesh.vertices, motion());
   const BendableSurface work_a(reduced_a.mesh), work_b(reduced_b.mesh);
   std::vector<int> same(reduced_a.vertex.size());
   for (std::size_t v = 0; v < same.size(); ++v) same[v] = static_cast<int>(v);

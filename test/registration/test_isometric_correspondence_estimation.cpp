@@ -12,6 +12,7 @@
 
 #include "registration/pcl_bodies.h"
 #include "support/bodies.h"
+#include "support/motions.h"
 #include "support/shapes.h"
 #include <algorithm>
 #include <map>
@@ -34,8 +35,7 @@ Eigen::Affine3d motion() {
 struct Bodies {
   ArticulatedBody source_body = test::body(0, 1000), target_body = test::body(1, 1000, 1);
   Cloud::Ptr source = test::toCloud<PointXYZ>(source_body.mesh.vertices);
-  Cloud::Ptr target =
-      test::toCloud<PointXYZ>((motion() * target_body.mesh.vertices.transpose()).transpose());
+  Cloud::Ptr target = test::toCloud<PointXYZ>(test::moved(target_body.mesh.vertices, motion()));
   Estimation estimation;
   pcl::Correspondences matches;
 

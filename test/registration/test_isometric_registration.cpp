@@ -15,6 +15,7 @@
 
 #include "registration/pcl_bodies.h"
 #include "support/bodies.h"
+#include "support/motions.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -99,11 +100,6 @@ double nearestSquared(const PointXYZRGBNormal& point, const Cloud& cloud) {
 Eigen::Affine3d similarity() {
   return Eigen::Translation3d(3, -1, 2) *
          Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, 3).normalized()) * Eigen::Scaling(2.5);
-}
-
-TriangleMesh moved(TriangleMesh mesh, const Eigen::Affine3d& by) {
-  mesh.vertices = (by * mesh.vertices.transpose()).transpose();
-  return mesh;
 }
 
 TEST(IsometricRegistration, outputIsTheSourceWhereItsCounterpartsAre) {
@@ -292,7 +288,7 @@ TEST(IsometricRegistration, copiesShareNothingThatChanges) {
     EXPECT_EQ(base.getFitnessScore(), original_base.getFitnessScore());
   }
   // A copy registers to something else, in another unit, from a guess; the original stays.
-  const TriangleMesh target = moved(r.source_body.mesh, similarity());
+  const TriangleMesh target = test::moved(r.source_body.mesh, similarity());
   const Cloud::Ptr other_target = test::toColoredCloud(target);
   copy.setTargetMesh(other_target, test::toPolygons(target.faces));
   EXPECT_FALSE(copy.hasConverged());

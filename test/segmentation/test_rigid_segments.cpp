@@ -9,6 +9,7 @@
 
 #include "support/bodies.h"
 #include "support/cpu_seconds.h"
+#include "support/motions.h"
 #include "support/shapes.h"
 #include <cmath>
 #include <limits>
@@ -19,16 +20,10 @@
 namespace posture {
 namespace {
 
+using test::motion;
+using test::moved;
+
 constexpr double DEGREE = M_PI / 180;
-
-Eigen::Isometry3d motion(double angle) {
-  return Eigen::Translation3d(1, -2, 3) *
-         Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, -1).normalized());
-}
-
-Points moved(const Points& points, const Eigen::Isometry3d& by) {
-  return (by * points.transpose()).transpose();
-}
 
 double angle(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return Eigen::AngleAxisd(a.linear() * b.linear().transpose()).angle();
