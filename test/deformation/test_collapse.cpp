@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/rng.h>
 #include <posture/deformation/collapse.h>
-#include <posture/mesh/edges.h>
 #include <posture/mesh/half_edge_mesh.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
+#include "support/topology.h"
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -33,9 +33,10 @@ double volume(const Points& vertices, const Faces& faces) {
   return sum;
 }
 
+/// Of the vertices in faces.
 int eulerNumber(const Faces& faces) {
   const std::set<int> vertices(faces.data(), faces.data() + faces.size());
-  return static_cast<int>(vertices.size() + faces.rows() - meshEdges(faces).size());
+  return test::eulerNumber(static_cast<int>(vertices.size()), faces);
 }
 
 TEST(CollapseToVertices, leavesExactlyTheKeptOnes) {

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
+#include "support/topology.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,11 +23,9 @@
 namespace posture {
 namespace {
 
-int vertexCount(const TriangleMesh& mesh) { return static_cast<int>(mesh.vertices.rows()); }
+using test::eulerNumber;
 
-int eulerNumber(const TriangleMesh& mesh) {
-  return static_cast<int>(mesh.vertices.rows() + mesh.faces.rows() - meshEdges(mesh.faces).size());
-}
+int vertexCount(const TriangleMesh& mesh) { return static_cast<int>(mesh.vertices.rows()); }
 
 int boundaryLoops(const TriangleMesh& mesh) {
   std::map<int, int> next;  // along the boundary

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/mesh/half_edge_mesh.h>
 #include <posture/mesh/handles.h>
 #include <posture/mesh/normals.h>
 
@@ -10,6 +9,7 @@
 #include "clean/clean_points.h"
 #include "clean/cleanness.h"
 #include "scan_shapes.h"
+#include "support/topology.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +19,8 @@ namespace posture {
 namespace {
 
 using Eigen::Vector3d;
+using test::eulerNumber;
+using test::expectManifold;
 
 struct Found {
   std::optional<PointSurface> surface;
@@ -31,23 +33,10 @@ Found find(const Points& points) {
   return found;
 }
 
-int eulerCharacteristic(const TriangleMesh& mesh) {
-  std::set<std::pair<int, int>> edges;
-  for (int c = 0; c < mesh.faces.size(); ++c)
-    edges.insert(std::minmax(mesh.faces(c / 3, c % 3), mesh.faces(c / 3, (c + 1) % 3)));
-  return static_cast<int>(mesh.vertices.rows()) - static_cast<int>(edges.size()) +
-         static_cast<int>(mesh.faces.rows());
-}
-
 int pointsOn(const PointSurface& surface) {
   std::set<int> points(surface.point.begin(), surface.point.end());
   points.erase(-1);
   return static_cast<int>(points.size());
-}
-
-/// The constructor of HalfEdgeMesh refuses what is not manifold or not oriented.
-void expectManifold(const TriangleMesh& mesh) {
-  EXPECT_NO_THROW(HalfEdgeMesh(mesh.faces, static_cast<int>(mesh.vertices.rows())));
 }
 
 Cleanness cleannessOf(const Points& points) {
@@ -95,7 +84,7 @@ TEST(CleanPoints, AreAllVerticesOfASphere) {
   expectManifold(mesh);
   EXPECT_EQ(pointsOn(*found.surface), 3000);
   EXPECT_EQ(mesh.vertices.rows(), 3000);
-  EXPECT_EQ(eulerCharacteristic(mesh), 2);
+  EXPECT_EQ(eulerNumber(mesh), 2);
   EXPECT_EQ(found.summary.boundary_loops, 0);
   const Points normals = vertexNormals(mesh);
   for (int v = 0; v < 3000; ++v) {
@@ -108,7 +97,7 @@ TEST(CleanPoints, KeepTheTopologyOfATorus) {
   const Found found = find(test::torusPoints(3000, 1, 0.3));
   ASSERT_TRUE(found.surface);
   expectManifold(found.surface->mesh);
-  EXPECT_EQ(eulerCharacteristic(found.surface->mesh), 0);
+  EXPECT_EQ(eulerNumber(found.surface->mesh), 0);
   EXPECT_EQ(found.summary.boundary_loops, 0);
 }
 
@@ -120,7 +109,7 @@ TEST(CleanPoints, MakeALimbOfSixPointsAround) {
   expectManifold(mesh);
   EXPECT_EQ(pointsOn(*found.surface), points.rows());
   EXPECT_EQ(found.summary.components, 2);
-  EXPECT_EQ(eulerCharacteristic(mesh), 4);
+  EXPECT_EQ(eulerNumber(mesh), 4);
   EXPECT_EQ(found.summary.boundary_loops, 0);
   // All of it lies between the limb's inner and outer circles.
   for (int f = 0; f < mesh.faces.rows(); ++f) {
@@ -187,7 +176,7 @@ TEST(CleanPoints, KeepSheetsApartThatAreNearlyAsCloseAsTheirPoints) {
   const TriangleMesh& mesh = found.surface->mesh;
   expectManifold(mesh);
   EXPECT_EQ(found.summary.components, 3);
-  EXPECT_EQ(eulerCharacteristic(mesh), 6);
+  EXPECT_EQ(eulerNumber(mesh), 6);
   // The inner side of the shell looks inwards.
   const Points normals = vertexNormals(mesh);
   int inner = 0;
@@ -212,7 +201,7 @@ TEST(CleanPoints, LeaveTheRimOfAHalfSphereOpen) {
   expectManifold(mesh);
   EXPECT_EQ(found.summary.components, 1);
   EXPECT_EQ(found.summary.boundary_loops, 1);
-  EXPECT_EQ(eulerCharacteristic(mesh), 1);
+  EXPECT_EQ(eulerNumber(mesh), 1);
   for (int f = 0; f < mesh.faces.rows(); ++f) {
     const Eigen::RowVector3d center = mesh.vertices(mesh.faces.row(f), Eigen::all).colwise().mean();
     EXPECT_GT(center.norm(), 0.97);
@@ -227,7 +216,7 @@ TEST(CleanPoints, LeaveOutliersOut) {
   ASSERT_TRUE(found.surface);
   const TriangleMesh& mesh = found.surface->mesh;
   EXPECT_EQ(found.summary.components, 1);
-  EXPECT_EQ(eulerCharacteristic(mesh), 2);
+  EXPECT_EQ(eulerNumber(mesh), 2);
   int on_sphere = 0;
   for (int v = 0; v < mesh.vertices.rows(); ++v) {
     const double height = std::abs(mesh.vertices.row(v).norm() - 1);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/geodesic/fast_marching.h>
-#include <posture/mesh/half_edge_mesh.h>
 #include <posture/mesh/normals.h>
 #include <posture/scan/reconstruct.h>
 
@@ -12,6 +11,7 @@
 
 #include "scan_shapes.h"
 #include "support/shapes.h"
+#include "support/topology.h"
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -21,23 +21,10 @@ namespace posture {
 namespace {
 
 using test::cloudOf;
+using test::eulerNumber;
+using test::expectManifold;
 
 constexpr double NOTHING = std::numeric_limits<double>::quiet_NaN();
-
-int eulerCharacteristic(const TriangleMesh& mesh) {
-  const HalfEdgeMesh half_edges(mesh.faces, static_cast<int>(mesh.vertices.rows()));
-  int edges = 0;
-  for (int h = 0; h < half_edges.halfEdgeCount(); ++h) {
-    const int twin = half_edges.twin(h);
-    edges += twin < 0 || h < twin;
-  }
-  return static_cast<int>(mesh.vertices.rows()) - edges + static_cast<int>(mesh.faces.rows());
-}
-
-/// The constructor of HalfEdgeMesh refuses what is not manifold or not oriented.
-void expectManifold(const TriangleMesh& mesh) {
-  EXPECT_NO_THROW(HalfEdgeMesh(mesh.faces, static_cast<int>(mesh.vertices.rows())));
-}
 
 std::string refusal(const Points& points, const ReconstructionOptions& options = {}) {
   try {
@@ -54,7 +41,7 @@ TEST(Reconstruct, ClosesASphereAndLooksOutwards) {
   EXPECT_EQ(surface.summary.components, 1);
   EXPECT_EQ(surface.summary.boundary_loops, 0);
   EXPECT_TRUE(surface.summary.warnings.empty());
-  EXPECT_EQ(eulerCharacteristic(surface.mesh), 2);
+  EXPECT_EQ(eulerNumber(surface.mesh), 2);
   const Points normals = vertexNormals(surface.mesh);
   for (int v = 0; v < normals.rows(); ++v) {
     EXPECT_GT(normals.row(v).dot(surface.mesh.vertices.row(v)), 0.9);
@@ -82,7 +69,7 @@ TEST_P(ReconstructTorus, KeepsItsTopology) {
   const ScanSurface surface = reconstructed(torus(6000, 0.35));
   expectManifold(surface.mesh);
   EXPECT_EQ(surface.summary.boundary_loops, 0);
-  EXPECT_EQ(eulerCharacteristic(surface.mesh), 0);
+  EXPECT_EQ(eulerNumber(surface.mesh), 0);
 }
 
 TEST(Reconstruct, LeavesAHoleOpen) {
@@ -101,7 +88,7 @@ TEST(Reconstruct, TakesAPlaneForAnOpenSurface) {
   const ScanSurface surface = reconstruct(cloudOf(test::planePoints(2000, 3)));
   expectManifold(surface.mesh);
   EXPECT_EQ(surface.summary.boundary_loops, 1);
-  EXPECT_EQ(eulerCharacteristic(surface.mesh), 1);
+  EXPECT_EQ(eulerNumber(surface.mesh), 1);
 }
 
 TEST(Reconstruct, DoesNotJoinOpposingSheets) {
@@ -340,7 +327,7 @@ TEST_P(ReconstructTorus, WorksFarFromTheOriginAndBesideFarOutliers) {
   for (const Points& given : {far_away, test::joined(points, outliers)}) {
     const ScanSurface surface = reconstructed(given);
     expectManifold(surface.mesh);
-    EXPECT_EQ(eulerCharacteristic(surface.mesh), 0);
+    EXPECT_EQ(eulerNumber(surface.mesh), 0);
     EXPECT_EQ(surface.summary.boundary_loops, 0);
   }
 }
