@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/tube.h"
 #include "sides/contact_seam.h"
-#include "sides/contacts.h"
-#include "support/shapes.h"
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -17,20 +16,10 @@
 namespace posture {
 namespace {
 
-constexpr int AROUND = 120, ACROSS = 30;
-constexpr double PI = 3.141592653589793;
-
-/// A torus with the thickness of its tube times `factor` of the angle around, in (-pi, pi].
-template <class Factor>
-TriangleMesh tube(const Factor& factor, int around = AROUND, int across = ACROSS) {
-  TriangleMesh mesh = test::torus(around, across, 1, 0.35);
-  for (auto vertex : mesh.vertices.rowwise()) {
-    const double angle = std::atan2(vertex.y(), vertex.x());
-    const Eigen::RowVector3d middle(std::cos(angle), std::sin(angle), 0);
-    vertex = middle + factor(angle) * (vertex - middle);
-  }
-  return mesh;
-}
+using test::ACROSS;
+using test::AROUND;
+using test::PI;
+using test::tube;
 
 /// Slowly narrower towards pi, where it has 0.4 of its thickness, and with a fold at 0, where it
 /// has 0.6: as an arm whose hand has grown together with something.
@@ -123,24 +112,6 @@ TEST(ContactSeam, PassesAHoleInTheFold) {
   const Seam seam = contactSeam(mesh, ringAt(AROUND / 2));
   EXPECT_LT(seam.size(), 0.7 * whole);
   EXPECT_EQ(handlesWithout(mesh, verticesOf(seam)), 0);
-}
-
-TEST(PartedSurface, isCutInARoundedFoldHoweverFineTheMesh) {
-  // A fold as wide as 0.2 radians around, and a narrower arm.
-  const auto rounded = [](double angle) {
-    const double along = std::abs(angle), round = std::sqrt(along * along + 0.01);
-    return std::min(1 - 0.65 * std::pow(along / PI, 2), 0.35 + 2.5 * round);
-  };
-  for (int times : {1, 5}) {
-    const TriangleMesh mesh = tube(rounded, times * AROUND, times * ACROSS);
-    const PartedSurface parted = partedSurface(mesh, cleanMesh(mesh));
-    EXPECT_EQ(parted.contacts, 1) << times;
-    for (int f = 0; f < mesh.faces.rows(); ++f)
-      if (parted.gone[f] != 0) {
-        const auto vertex = mesh.vertices.row(mesh.faces(f, 0));
-        ASSERT_LT(std::abs(std::atan2(vertex.y(), vertex.x())), 0.3) << times;
-      }
-  }
 }
 
 }  // namespace

@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/core/error.h>
 #include <posture/mesh/position_of.h>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include "outcome/refer_to_points.h"
+#include "sides/side_surface.h"
 #include "support/shapes.h"
 #include <limits>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -132,17 +131,6 @@ TEST(ReferToPoints, verticesOfAScannedTargetAreItsNearestPoints) {
   EXPECT_EQ(result.correspondence.on_target[4].vertex, -1);
   EXPECT_EQ(result.deformed.rows(), 9);
   EXPECT_TRUE(result.target_scan.has_value());
-}
-
-TEST(SurfaceOf, namesTheSideThatCannotBeUsed) {
-  try {
-    surfaceOf("target",
-              {{Points::Zero(5, 3), {}, {}, 0, std::nullopt}, {}},
-              SurfaceMethod::TANGENT_DELAUNAY);
-    FAIL() << "nothing thrown";
-  } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("target ", 0), 0U) << error.what();
-  }
 }
 
 }  // namespace

@@ -155,19 +155,5 @@ TEST(JudgedByEnds, aHalfTurnedBodyIsToldByItselfWhereASideMayLackParts) {
   EXPECT_EQ(refined(false, true).hands, 0);
 }
 
-TEST(WorkMeshes, shareABudget) {
-  RefinedShape light = fullSide("light", test::sphere(3), false),
-               fine = fullSide("fine", test::sphere(5), false);
-  reduceSide("source", 10242, light);
-  reduceSide("source", 642, fine);
-  EXPECT_EQ(light.work.mesh.vertices.rows(), 642);
-  EXPECT_EQ(fine.work.mesh.vertices.rows(), 10000);
-  reduceSide("source", 4000, fine);
-  EXPECT_EQ(fine.work.mesh.vertices.rows(), 6250);
-  reduceSide("source", 10242, fine);
-  EXPECT_EQ(fine.work.mesh.vertices.rows(), 5000);
-  EXPECT_EQ(fine.coarse.mesh.vertices.rows(), 1500);
-}
-
 }  // namespace
 }  // namespace posture
