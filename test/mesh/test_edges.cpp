@@ -4,7 +4,6 @@
 #include <posture/mesh/corners.h>
 #include <posture/mesh/deformation_scale.h>
 #include <posture/mesh/edges.h>
-#include <posture/mesh/position_of.h>
 
 #include <gtest/gtest.h>
 
@@ -18,18 +17,6 @@ Faces threeOnAnEdge() {
   Faces faces(3, 3);
   faces << 0, 1, 2, 2, 1, 3, 1, 2, 4;
   return faces;
-}
-
-TEST(PlaceOfVertex, isAtOneCornerOfItsFace) {
-  Faces faces(2, 3);
-  faces << 1, 1, 2, 0, 2, 3;
-  const std::vector<int> face_of = faceOfEachVertex(faces, 5);
-  const SurfacePoint twice = placeOfVertex(faces, face_of, 1);  // its face names it twice
-  EXPECT_EQ(twice.vertex, 1);
-  EXPECT_EQ(twice.face, 0);
-  EXPECT_EQ(twice.barycentric, Eigen::Vector3d(1, 0, 0));
-  EXPECT_EQ(placeOfVertex(faces, face_of, 3).barycentric, Eigen::Vector3d(0, 0, 1));
-  EXPECT_EQ(placeOfVertex(faces, face_of, 4).face, -1);
 }
 
 TEST(Edges, eulersNumberOfASphere) {

@@ -114,22 +114,5 @@ TEST_F(LetGo, whatFitsStaysAsItIs) {
   EXPECT_TRUE(pair.apart_a.empty());
 }
 
-TEST(Score, lettingGoIsNoGainByItself) {
-  MapScore all{0.05, 0.1, 0.07, 0.03};
-  MapScore half = all;
-  half.let_go = 0.5;
-  EXPECT_NEAR(half.total() - all.total(), 4 * std::log(2), 1e-12);
-}
-
-TEST(Score, aPieceDoesNotPayForWhatTheWholeHasMore) {
-  MapScore piece{0.05, 0.1, 0.07, 0.03};
-  const double all = piece.total();
-  piece.let_go = 0.7;
-  piece.bending /= 1 - piece.let_go;  // as it is measured
-  EXPECT_NEAR(piece.totalOfPiece(), all, 1e-12);
-  piece.least_let_go = 0.7;
-  EXPECT_NEAR(piece.totalOfPiece(), piece.total(), 1e-12);
-}
-
 }  // namespace
 }  // namespace posture

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "clean/clean_points.h"
-#include "clean/cleanness.h"
+#include "cleanness_of.h"
 #include "scan_shapes.h"
 #include "support/topology.h"
 #include <algorithm>
@@ -39,11 +39,6 @@ int pointsOn(const PointSurface& surface) {
   return static_cast<int>(points.size());
 }
 
-Cleanness cleannessOf(const Points& points) {
-  const NeighborTable neighbors = NeighborSearch(points).table(24);
-  return cleanness(points, neighbors, spacing(points, neighbors));
-}
-
 TEST(CleanPoints, ofACurveAreOfNoSurface) {
   // A trefoil knot, whose tetrahedra would be as many as pairs of points.
   Points knot(6000, 3);
@@ -53,27 +48,8 @@ TEST(CleanPoints, ofACurveAreOfNoSurface) {
         -std::sin(3 * t);
   }
   knot /= 6;
-  ASSERT_TRUE(cleannessOf(knot).is_clean);
+  ASSERT_TRUE(test::cleannessOf(knot).is_clean);
   EXPECT_FALSE(find(knot).surface);
-}
-
-TEST(Cleanness, TellsNoiseFromCoarseness) {
-  EXPECT_TRUE(cleannessOf(test::spherePoints(3000, 0)).is_clean);
-  EXPECT_TRUE(cleannessOf(test::torusPoints(1000, 1, 0.3)).is_clean);
-  EXPECT_TRUE(cleannessOf(test::withBall(test::coarseLimb(6, 60, 0.1, 0.15))).is_clean);
-  // A spacing of 0.065.
-  EXPECT_FALSE(cleannessOf(test::spherePoints(3000, 0.003)).is_clean);
-  EXPECT_FALSE(cleannessOf(test::spherePoints(3000, 0.02)).is_clean);
-  EXPECT_NEAR(cleannessOf(test::spherePoints(3000, 0.003)).noise, 0.046, 0.01);
-}
-
-TEST(Cleanness, KnowsNoiseThatIsNotEverywhereTheSame) {
-  // 0.02 spacings on one ball, 0.2 on the other.
-  Points beside = test::spherePoints(3000, 0.015, 2);
-  beside.col(0).array() += 4;
-  const Cleanness found = cleannessOf(test::joined(test::spherePoints(3000, 0.0015), beside));
-  EXPECT_LT(found.noise, 0.04);
-  EXPECT_FALSE(found.is_clean);
 }
 
 TEST(CleanPoints, AreAllVerticesOfASphere) {
