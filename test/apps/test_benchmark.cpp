@@ -57,7 +57,7 @@ class Benchmark : public testing::Test {
   const test::StoredResults result{out_ / "pairs"};
 };
 
-TEST_F(Benchmark, NamesTheFileThatCannotBeUsed) {
+TEST_F(Benchmark, namesTheFileThatCannotBeUsed) {
   std::ofstream(folder_ / "m/line.off") << "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n";
   std::ofstream(folder_ / "pairs.csv") << "id,source,target\n"
                                           "from,m/line.off,m/bent.off\n"
@@ -69,7 +69,7 @@ TEST_F(Benchmark, NamesTheFileThatCannotBeUsed) {
   }
 }
 
-TEST_F(Benchmark, OneBadPairDoesNotEndTheList) {
+TEST_F(Benchmark, oneBadPairDoesNotEndTheList) {
   const auto end = published();
   ASSERT_EQ(end.exit_code, 0) << end.err;
   EXPECT_EQ(std::count(end.err.begin(), end.err.end(), '\n'), 3) << end.err;  // a line a pair
@@ -107,7 +107,7 @@ TEST_F(Benchmark, OneBadPairDoesNotEndTheList) {
     EXPECT_EQ(entry.path().extension(), ".json");  // no logs, no half-written files
 }
 
-TEST_F(Benchmark, AnIdMayLookLikeAnOption) {
+TEST_F(Benchmark, anIdMayLookLikeAnOption) {
   std::ofstream(folder_ / "pairs.csv") << "id,source,target\n-h,m/flat.off,m/bent.off\n";
   const auto end = published({"--json", "-q"});
   ASSERT_EQ(end.exit_code, 0) << end.err;
@@ -115,7 +115,7 @@ TEST_F(Benchmark, AnIdMayLookLikeAnOption) {
   EXPECT_THAT(result("-h")["status"], testing::AnyOf("registered", "undecided"));
 }
 
-TEST_F(Benchmark, TheRefinedMethodIsTheDefault) {
+TEST_F(Benchmark, theRefinedMethodIsTheDefault) {
   const auto end = benchmark({"--pair", "good"});
   ASSERT_EQ(end.exit_code, 0) << end.err;
   EXPECT_EQ(result("good")["method"], "refined");
@@ -124,7 +124,7 @@ TEST_F(Benchmark, TheRefinedMethodIsTheDefault) {
   EXPECT_LT(result("good")["errors"]["mean_x100"], 5);
 }
 
-TEST_F(Benchmark, RunsWhereItsParentIgnoresTheEndOfChildren) {
+TEST_F(Benchmark, runsWhereItsParentIgnoresTheEndOfChildren) {
   const auto end = test::run("/bin/bash",  // dash takes it back
                              {"-c",
                               R"(trap '' CHLD; exec "$0" "$@")",
@@ -140,14 +140,14 @@ TEST_F(Benchmark, RunsWhereItsParentIgnoresTheEndOfChildren) {
   EXPECT_LT(result("good")["errors"]["mean_x100"], 5);
 }
 
-TEST_F(Benchmark, FamiliesOfThePaperStandBesideItsFigures) {
+TEST_F(Benchmark, familiesOfThePaperStandBesideItsFigures) {
   std::ofstream(folder_ / "pairs.csv") << "id,family,source,target,truth\n"
                                           "good,horse,m/flat.off,m/bent.off,identity\n";
   ASSERT_EQ(published().exit_code, 0);
   EXPECT_THAT(test::bytesOf(out_ / "RESULTS.md"), HasSubstr("## The paper's own figures"));
 }
 
-TEST_F(Benchmark, TextsThatAreNoUtf8AreRefusedBeforeAnythingRuns) {
+TEST_F(Benchmark, textsThatAreNoUtf8AreRefusedBeforeAnythingRuns) {
   std::ofstream(folder_ / "pairs.csv", std::ios::app) << "latin,,,m/flat.off,m/bent.off,,,K\xe4"
                                                          "fer\n";
   const auto end = published();
@@ -156,14 +156,14 @@ TEST_F(Benchmark, TextsThatAreNoUtf8AreRefusedBeforeAnythingRuns) {
   EXPECT_FALSE(fs::exists(out_));
 }
 
-TEST_F(Benchmark, WhatTookTooLongIsRunAgain) {
+TEST_F(Benchmark, whatTookTooLongIsRunAgain) {
   ASSERT_EQ(published({"--pair", "good", "--time-limit", "0.001"}).exit_code, 0);
   EXPECT_EQ(result("good")["status"], "failed");
   ASSERT_EQ(published({"--pair", "good"}).exit_code, 0);
   EXPECT_NE(result("good")["status"], "failed");
 }
 
-TEST_F(Benchmark, TheListMayComeBehindAnOption) {
+TEST_F(Benchmark, theListMayComeBehindAnOption) {
   const auto end = test::run(POSTURE,
                              {"benchmark",
                               "--paper",
@@ -178,7 +178,7 @@ TEST_F(Benchmark, TheListMayComeBehindAnOption) {
   EXPECT_TRUE(fs::exists(out_ / "pairs/good.json"));
 }
 
-TEST_F(Benchmark, ResumesWhereItStopped) {
+TEST_F(Benchmark, resumesWhereItStopped) {
   ASSERT_EQ(published({"--pair", "good", "--pair", "points"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(out_ / "pairs/missing.json"));
   const auto good = result.written("good"), points = result.written("points");
@@ -196,7 +196,7 @@ TEST_F(Benchmark, ResumesWhereItStopped) {
   EXPECT_EQ(parseCsv(test::bytesOf(out_ / "results.csv")).size(), 4u);
 }
 
-TEST_F(Benchmark, RunsAgainWhatIsDamagedOrOfOtherInputs) {
+TEST_F(Benchmark, runsAgainWhatIsDamagedOrOfOtherInputs) {
   ASSERT_EQ(published({"--pair", "points"}).exit_code, 0);
   std::ofstream(out_ / "pairs/points.json") << "{\"id\": \"poi";
   ASSERT_EQ(published({"--pair", "points"}).exit_code, 0);
@@ -214,13 +214,13 @@ TEST_F(Benchmark, RunsAgainWhatIsDamagedOrOfOtherInputs) {
   EXPECT_EQ(result("points")["status"], "failed");
 }
 
-TEST_F(Benchmark, APairThatTakesTooLongHasFailed) {
+TEST_F(Benchmark, aPairThatTakesTooLongHasFailed) {
   ASSERT_EQ(benchmark({"--quiet", "--pair", "good", "--time-limit", "0.001"}).exit_code, 0);
   EXPECT_EQ(result("good")["status"], "failed");
   EXPECT_THAT(result("good")["message"], HasSubstr("took longer than"));
 }
 
-TEST_F(Benchmark, QuietAndJson) {
+TEST_F(Benchmark, quietAndJson) {
   const auto quiet = published({"--quiet", "--pair", "points"});
   EXPECT_EQ(quiet.out + quiet.err, "");
   const auto as_json = published({"--quiet", "--json"});
@@ -228,7 +228,7 @@ TEST_F(Benchmark, QuietAndJson) {
   EXPECT_EQ(json::parse(as_json.out)["pairs"].size(), 3u);
 }
 
-TEST_F(Benchmark, SaysWhatItCannotUse) {
+TEST_F(Benchmark, saysWhatItCannotUse) {
   const auto unknown = benchmark({"--family", "cat"});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("no family 'cat'"));

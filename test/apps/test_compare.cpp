@@ -97,7 +97,7 @@ class Compare : public testing::Test {
   const test::StoredResults result{out_ / "runs"};
 };
 
-TEST_F(Compare, APairByEveryMethod) {
+TEST_F(Compare, aPairByEveryMethod) {
   const auto end = compare({folder_ / "flat.off",
                             folder_ / "moved.off",
                             "--truth",
@@ -128,7 +128,7 @@ TEST_F(Compare, APairByEveryMethod) {
   EXPECT_THAT(test::bytesOf(out_ / "curves-aligned.svg"), HasSubstr("FPFH + ICP"));
 }
 
-TEST_F(Compare, MirroredAnswersAreToldFromTrueOnes) {
+TEST_F(Compare, mirroredAnswersAreToldFromTrueOnes) {
   std::ofstream mirror(folder_ / "mirror.txt");
   for (int v = 0; v < VERTICES; ++v) mirror << v << " " << VERTICES - 1 - v << "\n";
   mirror.close();
@@ -162,7 +162,7 @@ TEST_F(Compare, MirroredAnswersAreToldFromTrueOnes) {
 }
 
 /// A body that holds still, in noise: what rigid methods are made for.
-TEST_F(Compare, RigidMethodsAreBestWhereABodyHeldStill) {
+TEST_F(Compare, rigidMethodsAreBestWhereABodyHeldStill) {
   const auto end = compare({DATA_DIR "/rigid/pairs.csv",
                             "--variation",
                             "aligned",
@@ -187,7 +187,7 @@ TEST_F(Compare, RigidMethodsAreBestWhereABodyHeldStill) {
   EXPECT_EQ(result("quadruped-rigid.aligned.icp")["mirror"]["wrong_side"], false);
 }
 
-TEST_F(Compare, WhereABentBodyIsIsNothingToPosture) {
+TEST_F(Compare, whereABentBodyIsIsNothingToPosture) {
   const auto end = compare({DATA_DIR "/human/pairs.csv", "--method", "posture", "--method", "icp"});
   ASSERT_EQ(end.exit_code, 0) << end.err;
   const auto error = [this](const std::string& variation, const std::string& method) -> double {
@@ -205,7 +205,7 @@ TEST_F(Compare, WhereABentBodyIsIsNothingToPosture) {
                 HasSubstr("Source " + std::string(variation) + ": the best method is posture, "));
 }
 
-TEST_F(Compare, LeavingPointsOutDoesNotWin) {
+TEST_F(Compare, leavingPointsOutDoesNotWin) {
   summary("pair");
   storeError("pair.aligned", "as-given", 5, 5);
   storeError("pair.aligned", "posture", 0.1, 12.55, VERTICES / 2);
@@ -218,7 +218,7 @@ TEST_F(Compare, LeavingPointsOutDoesNotWin) {
   EXPECT_THAT(words, HasSubstr("100.0 %         1.00"));
 }
 
-TEST_F(Compare, RefusingAPairThatOthersAnswerDoesNotWin) {
+TEST_F(Compare, refusingAPairThatOthersAnswerDoesNotWin) {
   summary("list");
   for (const char* pair : {"rigid.aligned", "bent.aligned"}) {
     storeError(pair, "as-given", 5, 5);
@@ -233,7 +233,7 @@ TEST_F(Compare, RefusingAPairThatOthersAnswerDoesNotWin) {
   EXPECT_THAT(words, ContainsRegex("aligned +GICP [^\n]* 50\\.0 % +12\\.75 +- "));
 }
 
-TEST_F(Compare, EqualMethodsShareThePlace) {
+TEST_F(Compare, equalMethodsShareThePlace) {
   summary("pair");
   storeError("pair.aligned", "as-given", 5, 5);
   storeError("pair.aligned", "posture", 1, 1.001);
@@ -246,7 +246,7 @@ TEST_F(Compare, EqualMethodsShareThePlace) {
   EXPECT_THAT(words, HasSubstr("turned: no method improves on the source as given, "));
 }
 
-TEST_F(Compare, PairsOnWhichPostureFailedAreNamed) {
+TEST_F(Compare, pairsOnWhichPostureFailedAreNamed) {
   summary("list");
   for (const char* pair : {"rigid.aligned", "bent.aligned"}) {
     storeError(pair, "as-given", 5, 5);
@@ -268,7 +268,7 @@ TEST_F(Compare, PairsOnWhichPostureFailedAreNamed) {
                         "posture failed.\n"));
 }
 
-TEST_F(Compare, ChangesWithoutANumberAreNamed) {
+TEST_F(Compare, changesWithoutANumberAreNamed) {
   summary("pair");
   storeError("pair.aligned", "icp", 1, 1);
   store("pair.turned", "icp", {{"status", "failed"}, {"errors", nullptr}});
@@ -292,7 +292,7 @@ TEST_F(Compare, ChangesWithoutANumberAreNamed) {
   EXPECT_THAT(turnedRow("posture"), HasSubstr(" 50.0 % "));
 }
 
-TEST_F(Compare, WithoutATruthItSaysThatNoneIsKnown) {
+TEST_F(Compare, withoutATruthItSaysThatNoneIsKnown) {
   const auto end = compare({folder_ / "flat.off", folder_ / "moved.off", "--method", "icp"});
   ASSERT_EQ(end.exit_code, 0) << end.err;
   EXPECT_THAT(end.out, HasSubstr("no truth is known"));
@@ -301,7 +301,7 @@ TEST_F(Compare, WithoutATruthItSaysThatNoneIsKnown) {
   EXPECT_FALSE(fs::exists(out_ / "curves-aligned.svg"));
 }
 
-TEST_F(Compare, VariationsMoveAndScaleAndShuffleTheSource) {
+TEST_F(Compare, variationsMoveAndScaleAndShuffleTheSource) {
   ASSERT_EQ(compare({folder_ / "flat.off",
                      folder_ / "flat.off",
                      "--truth",
@@ -324,7 +324,7 @@ TEST_F(Compare, VariationsMoveAndScaleAndShuffleTheSource) {
   }
 }
 
-TEST_F(Compare, NamesTheFileThatCannotBeUsed) {
+TEST_F(Compare, namesTheFileThatCannotBeUsed) {
   const std::string latin = folder_ /
                             "fl\xE4"
                             "che.off";
@@ -340,7 +340,7 @@ TEST_F(Compare, NamesTheFileThatCannotBeUsed) {
             flat + " onto " + line + ": 3 points, expected 10 or more");
 }
 
-TEST_F(Compare, AListGivesARowAMethodAndVariation) {
+TEST_F(Compare, aListGivesARowAMethodAndVariation) {
   const auto end = comparePairs({"--variation", "aligned"});
   ASSERT_EQ(end.exit_code, 0) << end.err;
   EXPECT_EQ(std::count(end.err.begin(), end.err.end(), '\n'), 6) << end.err;  // a line a run
@@ -353,7 +353,7 @@ TEST_F(Compare, AListGivesARowAMethodAndVariation) {
             result("bent.aligned.icp")["errors"]["mean_x100"]);
 }
 
-TEST_F(Compare, ResumesAndKeepsWhatIsNotAskedFor) {
+TEST_F(Compare, resumesAndKeepsWhatIsNotAskedFor) {
   ASSERT_EQ(comparePairs({"--variation", "aligned", "--pair", "rigid"}).exit_code, 0);
   const auto before = result.written("rigid.aligned.icp");
   const auto again = comparePairs({"--variation", "aligned", "--variation", "turned"});
@@ -370,7 +370,7 @@ TEST_F(Compare, ResumesAndKeepsWhatIsNotAskedFor) {
   EXPECT_EQ(result("rigid.aligned.icp")["status"], "converged");
 }
 
-TEST_F(Compare, RunsAgainWhatIsOfOtherFilesOrAnotherVersion) {
+TEST_F(Compare, runsAgainWhatIsOfOtherFilesOrAnotherVersion) {
   const auto run = [this] {
     const auto end = comparePairs({"--variation", "aligned", "--pair", "rigid"});
     EXPECT_EQ(end.exit_code, 0) << end.err;
@@ -399,7 +399,7 @@ TEST_F(Compare, RunsAgainWhatIsOfOtherFilesOrAnotherVersion) {
   EXPECT_EQ(result("rigid.aligned.icp")["family"], "hard");
 }
 
-TEST_F(Compare, RunsAsTheFirstProcessOfAContainer) {
+TEST_F(Compare, runsAsTheFirstProcessOfAContainer) {
   const std::vector<std::string> own_processes{"--user", "--map-root-user", "--pid", "--fork"};
   const auto asFirst = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), own_processes.begin(), own_processes.end());
@@ -420,13 +420,13 @@ TEST_F(Compare, RunsAsTheFirstProcessOfAContainer) {
   EXPECT_EQ(result("pair.aligned.icp")["status"], "converged");
 }
 
-TEST_F(Compare, ARunWhoseParentHasEndedEnds) {
+TEST_F(Compare, aRunWhoseParentHasEndedEnds) {
   const auto end =
       test::run(POSTURE, {"compare-run", "{}", folder_ / "result.json", "--parent", "1"});
   EXPECT_EQ(end.exit_code, 128 + SIGKILL) << end.err;
 }
 
-TEST_F(Compare, ARunThatTakesTooLongHasFailed) {
+TEST_F(Compare, aRunThatTakesTooLongHasFailed) {
   const auto end = comparePairs(
       {"--quiet", "--pair", "rigid", "--variation", "aligned", "--time-limit", "0.001"});
   EXPECT_EQ(end.exit_code, 0);
@@ -434,7 +434,7 @@ TEST_F(Compare, ARunThatTakesTooLongHasFailed) {
   EXPECT_THAT(result("rigid.aligned.icp")["message"], HasSubstr("took longer than"));
 }
 
-TEST_F(Compare, QuietAndJson) {
+TEST_F(Compare, quietAndJson) {
   const auto quiet = comparePairs({"--quiet", "--pair", "rigid", "--variation", "aligned"});
   EXPECT_EQ(quiet.out + quiet.err, "");
   const auto as_json =
@@ -445,7 +445,7 @@ TEST_F(Compare, QuietAndJson) {
   EXPECT_EQ(summary["verdicts"].size(), 1u);
 }
 
-TEST_F(Compare, SaysWhatItCannotUse) {
+TEST_F(Compare, saysWhatItCannotUse) {
   const auto missing = compare({folder_ / "none.off", folder_ / "bent.off"});
   EXPECT_EQ(missing.exit_code, 3);
   EXPECT_TRUE(test::saidWhyInOneLine(missing)) << missing.err;

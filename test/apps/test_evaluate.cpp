@@ -63,7 +63,7 @@ class Evaluate : public testing::Test {
   const test::TemporaryFolder folder_;
 };
 
-TEST_F(Evaluate, PrintsTheFigures) {
+TEST_F(Evaluate, printsTheFigures) {
   const auto end = evaluate("identity.csv", {"--truth", "identity"});
   EXPECT_EQ(end.exit_code, 0) << end.err;
   EXPECT_THAT(end.out, HasSubstr("mean error x100        0.000\n"));
@@ -71,7 +71,7 @@ TEST_F(Evaluate, PrintsTheFigures) {
   EXPECT_THAT(end.out, HasSubstr("accepted               231 of 231 (100.0 %), 0 rejected\n"));
 }
 
-TEST_F(Evaluate, MeasuresAtVerticesAndBesideThatInFaces) {
+TEST_F(Evaluate, measuresAtVerticesAndBesideThatInFaces) {
   const TriangleMesh target = test::grid(COLUMNS, ROWS, COLUMNS, ROWS);
   Correspondence map;
   map.on_target.resize(VERTICES);
@@ -92,7 +92,7 @@ TEST_F(Evaluate, MeasuresAtVerticesAndBesideThatInFaces) {
   EXPECT_THAT(end.out, testing::ContainsRegex("mean x100 in faces     [2-5][.]"));
 }
 
-TEST_F(Evaluate, WritesJson) {
+TEST_F(Evaluate, writesJson) {
   const auto end = evaluate("shifted.csv",
                             {"--json", "--truth", "identity", "--mirror", folder_ / "mirror.txt"});
   ASSERT_EQ(end.exit_code, 0) << end.err;
@@ -104,7 +104,7 @@ TEST_F(Evaluate, WritesJson) {
   EXPECT_EQ(figures["mirror"]["wrong_side"], false);
 }
 
-TEST_F(Evaluate, NoSideIsRightWhereNothingIsMapped) {
+TEST_F(Evaluate, noSideIsRightWhereNothingIsMapped) {
   writeMap("nothing.csv", COLUMNS + 1);
   const std::vector<std::string> truths{"--truth", "identity", "--mirror", folder_ / "mirror.txt"};
   const auto end = evaluate("nothing.csv", truths);
@@ -112,7 +112,7 @@ TEST_F(Evaluate, NoSideIsRightWhereNothingIsMapped) {
   EXPECT_THAT(end.out, testing::Not(HasSubstr("side ")));
 }
 
-TEST_F(Evaluate, QuietPrintsJsonAlone) {
+TEST_F(Evaluate, quietPrintsJsonAlone) {
   const auto quiet = evaluate("identity.csv", {"--truth", "identity", "--quiet"});
   EXPECT_EQ(quiet.exit_code, 0);
   EXPECT_EQ(quiet.out + quiet.err, "");
@@ -120,7 +120,7 @@ TEST_F(Evaluate, QuietPrintsJsonAlone) {
   EXPECT_TRUE(json::parse(as_json.out).contains("mean_x100"));
 }
 
-TEST_F(Evaluate, WritesFiles) {
+TEST_F(Evaluate, writesFiles) {
   const auto end = evaluate("shifted.csv", {"--truth", "identity", "-o", folder_ / "out/new"});
   ASSERT_EQ(end.exit_code, 0) << end.err;
   const auto text = [&](const std::string& name) {
@@ -132,7 +132,7 @@ TEST_F(Evaluate, WritesFiles) {
   EXPECT_THAT(text("histogram.svg"), HasSubstr("<svg"));
 }
 
-TEST_F(Evaluate, AFaceMayHaveAnotherCopyOfAVertexThatRoundingTookApart) {
+TEST_F(Evaluate, aFaceMayHaveAnotherCopyOfAVertexThatRoundingTookApart) {
   // Two halves, the seam between them rounded: the vertex is of the one, the face of the other.
   const TriangleMesh half = test::grid(COLUMNS / 2, ROWS, COLUMNS / 2.0, ROWS);
   const auto n = half.vertices.rows(), m = half.faces.rows();
@@ -154,14 +154,14 @@ TEST_F(Evaluate, AFaceMayHaveAnotherCopyOfAVertexThatRoundingTookApart) {
   expectInputError(on(vertex - 1), "does not have the target vertex");
 }
 
-TEST_F(Evaluate, NothingMappedIsNoError) {
+TEST_F(Evaluate, nothingMappedIsNoError) {
   writeMap("none.csv", COLUMNS + 1);
   const auto end = evaluate("none.csv", {"--truth", "identity", "-o", folder_ / "out"});
   EXPECT_EQ(end.exit_code, 0) << end.err;
   EXPECT_THAT(end.out, HasSubstr("mean error x100        -\n"));
 }
 
-TEST_F(Evaluate, ATargetThatLacksAPartIsMeasuredOnTheWhole) {
+TEST_F(Evaluate, aTargetThatLacksAPartIsMeasuredOnTheWhole) {
   TriangleMesh part = test::grid(COLUMNS, ROWS, COLUMNS, ROWS);
   part.faces.conservativeResize(part.faces.rows() / 4, 3);
   writeMesh(folder_ / "part.off", part);
@@ -178,7 +178,7 @@ TEST_F(Evaluate, ATargetThatLacksAPartIsMeasuredOnTheWhole) {
             1.5 * whole["mean_x100"].get<double>());
 }
 
-TEST_F(Evaluate, AScanWithAFloorIsMeasuredOnTheBody) {
+TEST_F(Evaluate, aScanWithAFloorIsMeasuredOnTheBody) {
   const Points body = test::grid(COLUMNS, ROWS, COLUMNS, ROWS).vertices;
   std::ofstream scan(folder_ / "scan.xyz"), truth(folder_ / "truth.txt"),
       rows(folder_ / "rows.txt");
@@ -210,7 +210,7 @@ TEST_F(Evaluate, AScanWithAFloorIsMeasuredOnTheBody) {
   }
 }
 
-TEST_F(Evaluate, BadInputIsOneLine) {
+TEST_F(Evaluate, badInputIsOneLine) {
   std::ofstream(folder_ / "far.txt") << "0 0\n1 231\n";
   std::ofstream(folder_ / "cloud.off") << "OFF\n231 0 0\n"
                                        << [] {
@@ -249,7 +249,7 @@ TEST_F(Evaluate, BadInputIsOneLine) {
   EXPECT_EQ(test::bytesOf(folder_ / "curve.csv"), before);
 }
 
-TEST_F(Evaluate, WrongUsageIsTwo) {
+TEST_F(Evaluate, wrongUsageIsTwo) {
   EXPECT_EQ(evaluate("identity.csv", {}).exit_code, 2);
   EXPECT_EQ(evaluate("identity.csv", {"--truth", "identity", "--nonsense"}).exit_code, 2);
 }

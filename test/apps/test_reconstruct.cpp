@@ -54,7 +54,7 @@ class Reconstruct : public testing::Test {
   PointCloud cloud_;
 };
 
-TEST_F(Reconstruct, LaysAManifoldThroughThePointsAndLinksThem) {
+TEST_F(Reconstruct, laysAManifoldThroughThePointsAndLinksThem) {
   const auto end = reconstruct("body.xyz", {"--link", folder_ / "link.csv", "--json"});
   ASSERT_EQ(end.exit_code, 0) << end.err;
   const TriangleMesh mesh = readMesh(folder_ / "mesh.ply").mesh;
@@ -67,7 +67,7 @@ TEST_F(Reconstruct, LaysAManifoldThroughThePointsAndLinksThem) {
   EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), cloud_.points.rows() + 1);
 }
 
-TEST_F(Reconstruct, WorksInAnyUnit) {
+TEST_F(Reconstruct, worksInAnyUnit) {
   write("micro.ply", 1e-6);
   write("kilo.ply", 1e6);
   const auto facesOf = [&](const std::string& scan) {
@@ -80,7 +80,7 @@ TEST_F(Reconstruct, WorksInAnyUnit) {
   EXPECT_NEAR(facesOf("kilo.ply"), faces, 0.01 * faces);
 }
 
-TEST_F(Reconstruct, OffersTheSurfacesOfPcl) {
+TEST_F(Reconstruct, offersTheSurfacesOfPcl) {
   for (const std::string method : {"mls", "poisson", "greedy"}) {
     const auto end = reconstruct("body.xyz", {"--surface", method, "--json"});
     ASSERT_EQ(end.exit_code, 0) << method << ": " << end.err;
@@ -89,7 +89,7 @@ TEST_F(Reconstruct, OffersTheSurfacesOfPcl) {
   EXPECT_EQ(reconstruct("body.xyz", {"--surface", "magic"}).exit_code, 2);
 }
 
-TEST_F(Reconstruct, RefusesAnEndingBeforeTheWork) {
+TEST_F(Reconstruct, refusesAnEndingBeforeTheWork) {
   const auto end =
       test::run(POSTURE, {"reconstruct", folder_ / "none.xyz", "-o", folder_ / "mesh.stl"});
   EXPECT_EQ(end.exit_code, 2);
@@ -97,7 +97,7 @@ TEST_F(Reconstruct, RefusesAnEndingBeforeTheWork) {
   EXPECT_THAT(end.err, HasSubstr(".off"));
 }
 
-TEST_F(Reconstruct, DoesNotWriteOverTheScan) {
+TEST_F(Reconstruct, doesNotWriteOverTheScan) {
   write("scan.ply", 1);
   const std::string before = test::bytesOf(folder_ / "scan.ply");
   for (const std::vector<std::string>& outputs :
@@ -112,7 +112,7 @@ TEST_F(Reconstruct, DoesNotWriteOverTheScan) {
   }
 }
 
-TEST_F(Reconstruct, SaysWhetherThePointsAreTheVertices) {
+TEST_F(Reconstruct, saysWhetherThePointsAreTheVertices) {
   const auto end = reconstruct("body.xyz", {"--json"});
   EXPECT_EQ(json::parse(end.out).at("through_points"), true);
   EXPECT_THAT(reconstruct("body.xyz").out, HasSubstr("are its vertices"));
@@ -121,7 +121,7 @@ TEST_F(Reconstruct, SaysWhetherThePointsAreTheVertices) {
       false);
 }
 
-TEST_F(Reconstruct, BadInputIsOneLineAndLeavesNothing) {
+TEST_F(Reconstruct, badInputIsOneLineAndLeavesNothing) {
   writeLines("empty.xyz", 0, [](int) { return ""; });
   writeLines("equal.xyz", 100, [](int) { return "1 2 3"; });
   writeLines("line.xyz", 100, [](int i) { return std::to_string(i) + " 0 0"; });
@@ -150,7 +150,7 @@ TEST_F(Reconstruct, BadInputIsOneLineAndLeavesNothing) {
   }
 }
 
-TEST_F(Reconstruct, APlaneIsAnOpenSurface) {
+TEST_F(Reconstruct, aPlaneIsAnOpenSurface) {
   writeLines("plane.xyz", 900, [](int i) {
     return std::to_string(i % 30) + " " + std::to_string(i / 30) + " 0";
   });

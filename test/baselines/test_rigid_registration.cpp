@@ -74,7 +74,7 @@ double miss(const Isometry3d& found, const Isometry3d& truth, const PointCloud& 
 class EveryMethod : public testing::TestWithParam<RigidMethod> {};
 class EveryLocalMethod : public testing::TestWithParam<RigidMethod> {};
 
-TEST_P(EveryLocalMethod, RecoversASmallMotion) {
+TEST_P(EveryLocalMethod, recoversASmallMotion) {
   const PointCloud source = body();
   const Isometry3d truth = turn(source, 0.1, {3, 5, -4});
   const PointCloud target = moved(source, truth);
@@ -88,7 +88,7 @@ TEST_P(EveryLocalMethod, RecoversASmallMotion) {
   EXPECT_NEAR(result.T_target_source.linear().determinant(), 1, 1e-9);
 }
 
-TEST_P(EveryLocalMethod, WorksWithoutNormalsAndWithMissingPoints) {
+TEST_P(EveryLocalMethod, worksWithoutNormalsAndWithMissingPoints) {
   PointCloud source = body();
   const Isometry3d truth = turn(source, 0.05, {2, 1, -1});
   PointCloud target = moved(source, truth);
@@ -102,7 +102,7 @@ TEST_P(EveryLocalMethod, WorksWithoutNormalsAndWithMissingPoints) {
   EXPECT_LT(miss(result.T_target_source, truth, whole), 0.01);
 }
 
-TEST_P(EveryLocalMethod, GivesTheSameEveryTimeWithAnyNumberOfThreads) {
+TEST_P(EveryLocalMethod, givesTheSameEveryTimeWithAnyNumberOfThreads) {
   const PointCloud source = body();
   const PointCloud target = moved(source, turn(source, 0.3, {10, 0, 5}));
   const int threads = omp_get_max_threads();
@@ -115,7 +115,7 @@ TEST_P(EveryLocalMethod, GivesTheSameEveryTimeWithAnyNumberOfThreads) {
   EXPECT_EQ(one.converged, three.converged);
 }
 
-TEST_P(EveryLocalMethod, IsNotPulledByPartsThatOnlyOneSideHas) {
+TEST_P(EveryLocalMethod, isNotPulledByPartsThatOnlyOneSideHas) {
   BodyOptions options;
   options.vertices = 1500;
   const RigidPair pair = makeRigidPair(options);
@@ -134,7 +134,7 @@ TEST_P(EveryLocalMethod, IsNotPulledByPartsThatOnlyOneSideHas) {
   EXPECT_LT(missOf(result.T_target_source), 0.01);
 }
 
-TEST_P(EveryMethod, EndsWithoutAnAlignmentWhereThereIsNone) {
+TEST_P(EveryMethod, endsWithoutAnAlignmentWhereThereIsNone) {
   PointCloud line, point;
   line.points = Points::Zero(40, 3);
   for (int i = 0; i < 40; ++i) line.points(i, 0) = i;
@@ -152,7 +152,7 @@ TEST_P(EveryMethod, EndsWithoutAnAlignmentWhereThereIsNone) {
   EXPECT_EQ(with(body(), few), "7 points, expected 10 or more");
 }
 
-TEST_P(EveryMethod, RefusesWhatItCannotComputeWith) {
+TEST_P(EveryMethod, refusesWhatItCannotComputeWith) {
   const auto with = [&](const PointCloud& source, const PointCloud& target) {
     return test::inputErrorOf([&] { registerRigidly(GetParam(), source, target); });
   };
@@ -167,7 +167,7 @@ TEST_P(EveryMethod, RefusesWhatItCannotComputeWith) {
 }
 
 /// The step has no single solution there, and PCL's search ends the program at no number.
-TEST_P(EveryMethod, EndsOnAPlane) {
+TEST_P(EveryMethod, endsOnAPlane) {
   Rng rng(5);
   PointCloud plane;
   plane.points = Points::Zero(600, 3);
@@ -184,7 +184,7 @@ TEST_P(EveryMethod, EndsOnAPlane) {
   }
 }
 
-TEST_P(EveryMethod, LeavesPclAsTalkativeAsItWas) {
+TEST_P(EveryMethod, leavesPclAsTalkativeAsItWas) {
   const auto before = pcl::console::getVerbosityLevel();
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
@@ -213,7 +213,7 @@ INSTANTIATE_TEST_SUITE_P(RigidRegistration,
                          testing::ValuesIn(rigidMethods()),
                          testName);
 
-TEST(RigidRegistration, FeaturesNeedNoStart) {
+TEST(RigidRegistration, featuresNeedNoStart) {
   const PointCloud source = body();
   const Isometry3d truth = turn(source, 2.4, {700, -300, 900});
   const PointCloud target = moved(makeCloud(1), truth);  // its vertices lie elsewhere
@@ -225,7 +225,7 @@ TEST(RigidRegistration, FeaturesNeedNoStart) {
   EXPECT_GT(miss(local.T_target_source, truth, source), 0.1);
 }
 
-TEST(RigidRegistration, FeaturesGiveTheSameEveryTime) {
+TEST(RigidRegistration, featuresGiveTheSameEveryTime) {
   const PointCloud other = makeCloud(0, 1);  // bent: few samples fit, which is quick
   const int threads = omp_get_max_threads();
   const RigidResult first = registerRigidly(RigidMethod::FPFH_ICP, body(), other);

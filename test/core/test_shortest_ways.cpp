@@ -49,7 +49,7 @@ struct Graph {
   std::vector<Edge> all;
 };
 
-TEST(ShortestWays, AreAsLongAsByRelaxingEveryEdge) {
+TEST(ShortestWays, areAsLongAsByRelaxingEveryEdge) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Graph graph(40, 90, seed);
     ShortestWays ways(graph.nodes);
@@ -77,7 +77,7 @@ TEST(ShortestWays, AreAsLongAsByRelaxingEveryEdge) {
   }
 }
 
-TEST(ShortestWays, ArriveAtTheNearestFirstAndOfSeveralAtTheLeast) {
+TEST(ShortestWays, arriveAtTheNearestFirstAndOfSeveralAtTheLeast) {
   // All edges of a row of nodes to each other, as long as they are apart.
   constexpr int N = 9;
   const auto edges = [](int v, const auto& step) {
@@ -94,7 +94,7 @@ TEST(ShortestWays, ArriveAtTheNearestFirstAndOfSeveralAtTheLeast) {
   EXPECT_EQ(ways.before(0), 4);
 }
 
-TEST(ShortestWays, EndWhereTheyAreTold) {
+TEST(ShortestWays, endWhereTheyAreTold) {
   const auto row = [](int v, const auto& step) {
     if (v < 99) step(v + 1, 1);
   };

@@ -11,7 +11,7 @@
 namespace posture {
 namespace {
 
-TEST(Closeness, NearIsWithinTheSideOfAGridsSquares) {
+TEST(Closeness, nearIsWithinTheSideOfAGridsSquares) {
   for (const double side : {0.1, 100.0}) {
     const Points target = test::grid(40, 40, 40 * side, 40 * side).vertices;
     Points near = target, far = target;
@@ -23,7 +23,7 @@ TEST(Closeness, NearIsWithinTheSideOfAGridsSquares) {
   }
 }
 
-TEST(Closeness, NothingIsMissingOfAShapeOnItself) {
+TEST(Closeness, nothingIsMissingOfAShapeOnItself) {
   const Points sphere = test::sphere(3).vertices;
   const Closeness close = measureCloseness(sphere, sphere);
   EXPECT_NEAR(close.mean_distance, 0, 1e-6);
@@ -31,7 +31,7 @@ TEST(Closeness, NothingIsMissingOfAShapeOnItself) {
   EXPECT_EQ(close.target_near, 1);
 }
 
-TEST(Closeness, HalfAShapeCoversHalfOfTheOther) {
+TEST(Closeness, halfAShapeCoversHalfOfTheOther) {
   const Points whole = test::grid(40, 20, 4, 2).vertices;
   Points half = test::grid(20, 20, 2, 2).vertices;
   EXPECT_EQ(measureCloseness(half, whole).moved_near, 1);
@@ -40,7 +40,7 @@ TEST(Closeness, HalfAShapeCoversHalfOfTheOther) {
   EXPECT_EQ(measureCloseness(half, whole).moved_near, 1);
 }
 
-TEST(Closeness, OnePointFarOutIsNoSize) {
+TEST(Closeness, onePointFarOutIsNoSize) {
   const Points target = test::grid(30, 40, 3, 4).vertices;
   Points moved = target, wild = target;
   moved.col(2).array() += 0.1;
@@ -50,7 +50,7 @@ TEST(Closeness, OnePointFarOutIsNoSize) {
               1e-3);
 }
 
-TEST(Closeness, DistanceIsInDiagonals) {
+TEST(Closeness, distanceIsInDiagonals) {
   const Points target = 50 * test::grid(30, 40, 3, 4).vertices;  // diagonal 250
   Points lifted = target;
   lifted.col(2).array() += 25;
@@ -60,7 +60,7 @@ TEST(Closeness, DistanceIsInDiagonals) {
   EXPECT_EQ(close.target_near, 0);
 }
 
-TEST(Closeness, RefusesNoPoints) {
+TEST(Closeness, refusesNoPoints) {
   const Points none = Points::Constant(4, 3, std::nan(""));
   EXPECT_THROW(measureCloseness(none, test::sphere(1).vertices), std::invalid_argument);
   EXPECT_THROW(measureCloseness(test::sphere(1).vertices, none), std::invalid_argument);

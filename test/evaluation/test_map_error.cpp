@@ -53,7 +53,7 @@ std::vector<int> mirroredMap() {
   return map;
 }
 
-TEST(MapError, IdentityHasNone) {
+TEST(MapError, identityHasNone) {
   const TargetMetric target(plane());
   const MapErrors errors =
       measureErrors(target, onVertices(identityMap()), identity(target.vertexCount()));
@@ -65,7 +65,7 @@ TEST(MapError, IdentityHasNone) {
   EXPECT_THAT(errorCurve(errors), testing::Each(1.0));
 }
 
-TEST(MapError, ShiftHasItsLength) {
+TEST(MapError, shiftHasItsLength) {
   const TargetMetric target(plane());
   const MapErrors errors =
       measureErrors(target, onVertices(shiftedMap()), identity(target.vertexCount()));
@@ -75,7 +75,7 @@ TEST(MapError, ShiftHasItsLength) {
   EXPECT_THAT(edgeHistogram(errors), testing::ElementsAre(0, 0, mapped));
 }
 
-TEST(MapError, RejectedPointsCarryNone) {
+TEST(MapError, rejectedPointsCarryNone) {
   const TargetMetric target(plane());
   std::vector<int> map = identityMap();
   for (std::size_t v = 0; v < map.size(); v += 2) map[v] = -1;
@@ -90,7 +90,7 @@ TEST(MapError, RejectedPointsCarryNone) {
   EXPECT_NEAR(errorCurve(errors).back(), share, 1e-12);
 }
 
-TEST(MapError, NothingMappedIsNoNumber) {
+TEST(MapError, nothingMappedIsNoNumber) {
   const TargetMetric target(plane());
   const MapErrors errors = measureErrors(target,
                                          onVertices(std::vector<int>(target.vertexCount(), -1)),
@@ -100,7 +100,7 @@ TEST(MapError, NothingMappedIsNoNumber) {
   EXPECT_THAT(errorCurve(errors), testing::Each(0.0));
 }
 
-TEST(MapError, CurveRisesToTheShareMapped) {
+TEST(MapError, curveRisesToTheShareMapped) {
   const TargetMetric target(plane());
   std::vector<int> map = shiftedMap();
   for (std::size_t v = 0; v < map.size(); v += 3) map[v] = static_cast<int>(v);
@@ -112,7 +112,7 @@ TEST(MapError, CurveRisesToTheShareMapped) {
   EXPECT_NEAR(curve.back(), static_cast<double>(errors.mapped_pairs) / errors.true_pairs, 1e-12);
 }
 
-TEST(MapError, MissesCountAsTheEndOfTheCurve) {
+TEST(MapError, missesCountAsTheEndOfTheCurve) {
   const TargetMetric target(plane());
   const int n = target.vertexCount();
   const auto errorsOf = [&](const std::vector<int>& map) {
@@ -137,7 +137,7 @@ TEST(MapError, MissesCountAsTheEndOfTheCurve) {
   EXPECT_NEAR(meanWithMisses(shifted), area, 0.25 / 100);
 }
 
-TEST(MapError, SparseTruthJudgesItsPairsOnly) {
+TEST(MapError, sparseTruthJudgesItsPairsOnly) {
   const TargetMetric target(plane());
   const MapErrors errors = measureErrors(target, onVertices(shiftedMap()), {{0, 0}, {5, 7}});
   EXPECT_EQ(errors.true_pairs, 2);
@@ -147,7 +147,7 @@ TEST(MapError, SparseTruthJudgesItsPairsOnly) {
   EXPECT_THROW(measureErrors(target, onVertices(shiftedMap()), {{999, 0}}), std::invalid_argument);
 }
 
-TEST(MapError, MeasuresNoMoreThanTheWorkAllows) {
+TEST(MapError, measuresNoMoreThanTheWorkAllows) {
   const TargetMetric target(test::grid(44, 44, 44, 44));  // 2,025 vertices
   std::vector<int> turned(target.vertexCount());
   for (int v = 0; v < target.vertexCount(); ++v) turned[v] = target.vertexCount() - 1 - v;
@@ -164,7 +164,7 @@ TEST(MapError, MeasuresNoMoreThanTheWorkAllows) {
             truth.size());
 }
 
-TEST(MapError, FindsTheBestCandidate) {
+TEST(MapError, findsTheBestCandidate) {
   const TargetMetric target(plane());
   std::vector<int> lucky(target.vertexCount(), -1);
   for (int v = 0; v < 20; ++v) lucky[v * 11] = v * 11;
@@ -181,7 +181,7 @@ TEST(MapError, FindsTheBestCandidate) {
   EXPECT_EQ(bestCandidate({{std::nan(""), 0}}), -1);
 }
 
-TEST(MapError, CandidatesAreComparedOnASubset) {
+TEST(MapError, candidatesAreComparedOnASubset) {
   const TargetMetric target(plane());
   const auto truth = identity(target.vertexCount());
   const auto all = candidateErrors(target, {mirroredMap()}, truth);
@@ -190,7 +190,7 @@ TEST(MapError, CandidatesAreComparedOnASubset) {
   EXPECT_NEAR(all[0].mean, some[0].mean, 0.1 * all[0].mean);
 }
 
-TEST(MapError, CallsAMirroredMapMirrored) {
+TEST(MapError, callsAMirroredMapMirrored) {
   const TargetMetric target(plane());
   const auto truth = identity(target.vertexCount());
   std::vector<VertexPair> mirror_truth;

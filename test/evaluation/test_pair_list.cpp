@@ -31,7 +31,7 @@ class PairList : public testing::Test {
   const test::TemporaryFolder folder_;
 };
 
-TEST(Csv, ReadsQuotes) {
+TEST(Csv, readsQuotes) {
   EXPECT_THAT(
       parseCsv("a,\"b, c\",d\r\n\n\"say \"\"no\"\"\",,\"two\nlines\""),
       ElementsAre(ElementsAre("a", "b, c", "d"), ElementsAre("say \"no\"", "", "two\nlines")));
@@ -41,7 +41,7 @@ TEST(Csv, ReadsQuotes) {
   EXPECT_THROW(parseCsv("\"a\"b,c"), InputError);
 }
 
-TEST_F(PairList, ReadsRows) {
+TEST_F(PairList, readsRows) {
   const auto pairs = read(
       "id,family,kind,source,target,truth,mirror_truth,note\n"
       "a,cat,isometric,m/a.obj,m/b.obj,identity,,\"small, clean\"\n"
@@ -57,18 +57,18 @@ TEST_F(PairList, ReadsRows) {
   EXPECT_EQ(pairs[1].mirror_truth, folder_ / "t/b.mirror.txt");
 }
 
-TEST_F(PairList, ColumnsInAnyOrderAndFew) {
+TEST_F(PairList, columnsInAnyOrderAndFew) {
   const auto pairs = read("target,id,source\nb.obj,x,a.obj\n");
   ASSERT_EQ(pairs.size(), 1u);
   EXPECT_EQ(pairs[0].source, folder_ / "a.obj");
   EXPECT_TRUE(pairs[0].truth.empty());
 }
 
-TEST_F(PairList, SkipsAByteOrderMark) {
+TEST_F(PairList, skipsAByteOrderMark) {
   EXPECT_EQ(read("\xef\xbb\xbfid,source,target\nx,a.obj,b.obj\n").size(), 1u);
 }
 
-TEST_F(PairList, SaysWhatIsWrong) {
+TEST_F(PairList, saysWhatIsWrong) {
   const std::string head = "id,source,target\n";
   EXPECT_THAT(errorOf(""), HasSubstr("pairs.csv: the file is empty"));
   EXPECT_THAT(errorOf("\n\n"), HasSubstr("no line but blank ones"));

@@ -10,7 +10,7 @@
 namespace posture {
 namespace {
 
-TEST(Statistics, Percentile) {
+TEST(Statistics, percentile) {
   EXPECT_EQ(percentile({3, 1, 2}, 0.5), 2);
   EXPECT_EQ(percentile({4, 1, 3, 2}, 0.5), 2.5);
   EXPECT_EQ(percentile({4, 1, 3, 2}, 0), 1);
@@ -19,17 +19,17 @@ TEST(Statistics, Percentile) {
   EXPECT_TRUE(std::isnan(percentile({}, 0.5)));
 }
 
-TEST(Statistics, Mean) {
+TEST(Statistics, mean) {
   EXPECT_EQ(mean({1, 2, 6}), 3);
   EXPECT_TRUE(std::isnan(mean({})));
 }
 
-TEST(Statistics, Largest) {
+TEST(Statistics, largest) {
   EXPECT_EQ(largest({1, 6, 2}), 6);
   EXPECT_TRUE(std::isnan(largest({})));
 }
 
-TEST(Statistics, EvenSubset) {
+TEST(Statistics, evenSubset) {
   EXPECT_THAT(evenSubset(3, 10), testing::ElementsAre(0, 1, 2));
   EXPECT_THAT(evenSubset(10, 5), testing::ElementsAre(1, 3, 5, 7, 9));
   EXPECT_TRUE(evenSubset(0, 5).empty());

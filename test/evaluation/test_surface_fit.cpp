@@ -10,7 +10,7 @@
 namespace posture {
 namespace {
 
-TEST(SurfaceFit, PerfectOnItself) {
+TEST(SurfaceFit, perfectOnItself) {
   const TriangleMesh mesh = test::sphere(2);
   const SurfaceFit fit = measureFit(mesh, mesh.vertices, 1, mesh);
   EXPECT_NEAR(fit.median_distance, 0, 1e-5);
@@ -18,14 +18,14 @@ TEST(SurfaceFit, PerfectOnItself) {
   EXPECT_EQ(fit.mean_stretch, 0);
 }
 
-TEST(SurfaceFit, StretchIsRelativeToTheScale) {
+TEST(SurfaceFit, stretchIsRelativeToTheScale) {
   const TriangleMesh mesh = test::sphere(2);
   const Points twice = 2 * mesh.vertices;
   EXPECT_NEAR(measureFit(mesh, twice, 1, mesh).mean_stretch, std::log(2.0), 1e-12);
   EXPECT_NEAR(measureFit(mesh, twice, 2, mesh).percentile_95_stretch, 0, 1e-12);
 }
 
-TEST(SurfaceFit, DistanceIsInTargetEdges) {
+TEST(SurfaceFit, distanceIsInTargetEdges) {
   const TriangleMesh target = test::grid(20, 20, 2, 2);
   Points lifted = target.vertices;
   lifted.col(2).array() += 0.5;
@@ -35,13 +35,13 @@ TEST(SurfaceFit, DistanceIsInTargetEdges) {
   EXPECT_NEAR(fit.percentile_95_distance, 0.5 / edge, 1e-4);
 }
 
-TEST(SurfaceFit, CollapsedEdgesAreAFiniteStretch) {
+TEST(SurfaceFit, collapsedEdgesAreAFiniteStretch) {
   const TriangleMesh mesh = test::sphere(1);
   const SurfaceFit fit = measureFit(mesh, Points::Zero(mesh.vertices.rows(), 3), 1, mesh);
   EXPECT_EQ(fit.mean_stretch, 10);
 }
 
-TEST(SurfaceFit, RefusesWhatDoesNotFit) {
+TEST(SurfaceFit, refusesWhatDoesNotFit) {
   const TriangleMesh mesh = test::sphere(1);
   EXPECT_THROW(measureFit(mesh, Points::Zero(3, 3), 1, mesh), std::invalid_argument);
 }

@@ -57,7 +57,7 @@ TriangleMesh gridWithLoosePart(double height) {
   return mesh;
 }
 
-TEST(TargetMetric, MeasuresAcrossASeamThatRoundingOpened) {
+TEST(TargetMetric, measuresAcrossASeamThatRoundingOpened) {
   const TriangleMesh half = test::grid(10, 10, 10, 10);
   const auto n = half.vertices.rows();
   const TargetMetric metric(test::joined(half, test::shifted(half, {10 + 1e-6, 0, 0})));
@@ -70,13 +70,13 @@ TEST(TargetMetric, MeasuresAcrossASeamThatRoundingOpened) {
   EXPECT_EQ(metric.edgeCounts({across})[0], 20);
 }
 
-TEST(TargetMetric, RefusesAFaceOfNoVertex) {
+TEST(TargetMetric, refusesAFaceOfNoVertex) {
   TriangleMesh mesh = test::grid(2, 2, 2, 2);
   mesh.faces(0, 0) = 1000;
   EXPECT_THROW(TargetMetric{mesh}, std::invalid_argument);
 }
 
-TEST(TargetMetric, MeasuresThePlane) {
+TEST(TargetMetric, measuresThePlane) {
   const TriangleMesh mesh = test::grid(10, 20, 5, 10);
   const TargetMetric metric(mesh);
   EXPECT_NEAR(metric.rootArea(), std::sqrt(50.0), 1e-12);
@@ -86,7 +86,7 @@ TEST(TargetMetric, MeasuresThePlane) {
   EXPECT_EQ(lengths[2], 0);
 }
 
-TEST(TargetMetric, ReachesPlacesInsideFaces) {
+TEST(TargetMetric, reachesPlacesInsideFaces) {
   const TriangleMesh mesh = test::grid(10, 10, 10, 10);
   const TargetMetric metric(mesh);
   // Face 0 is (0, 1, 12): its middle is at (2/3, 1/3).
@@ -103,7 +103,7 @@ TEST(TargetMetric, ReachesPlacesInsideFaces) {
   EXPECT_NEAR(lengths[3], 0, 1e-12);
 }
 
-TEST(TargetMetric, LoosePartsFollowTheSurface) {
+TEST(TargetMetric, loosePartsFollowTheSurface) {
   const TargetMetric metric(gridWithLoosePart(0.5));
   EXPECT_NEAR(metric.rootArea(), 10, 1e-12);
   const std::vector<Route> routes{
@@ -116,7 +116,7 @@ TEST(TargetMetric, LoosePartsFollowTheSurface) {
   EXPECT_EQ(metric.edgeCounts(routes), (std::vector<int>{1, 6, 6, 0}));
 }
 
-TEST(TargetMetric, DuplicateVerticesAreOnePlace) {
+TEST(TargetMetric, duplicateVerticesAreOnePlace) {
   TriangleMesh mesh = test::grid(4, 4, 4, 4);
   mesh.vertices.conservativeResize(26, 3);
   mesh.vertices.row(25) = mesh.vertices.row(12);
@@ -125,7 +125,7 @@ TEST(TargetMetric, DuplicateVerticesAreOnePlace) {
   EXPECT_EQ(metric.edgeCounts({toVertex(12, 25)})[0], 0);
 }
 
-TEST(TargetMetric, CountsEdgesLikeFloydAndWarshall) {
+TEST(TargetMetric, countsEdgesLikeFloydAndWarshall) {
   const TriangleMesh mesh = test::grid(9, 7, 9, 7);
   const TargetMetric metric(mesh);
   const auto expected = allEdgeCounts(mesh);
@@ -137,7 +137,7 @@ TEST(TargetMetric, CountsEdgesLikeFloydAndWarshall) {
     ASSERT_EQ(counts[r], expected[routes[r].from][routes[r].to.vertex]);
 }
 
-TEST(TargetMetric, SameWithOneThreadAndMany) {
+TEST(TargetMetric, sameWithOneThreadAndMany) {
   const TriangleMesh mesh = test::sphere(3);
   const TargetMetric metric(mesh);
   std::vector<Route> routes;
@@ -153,7 +153,7 @@ TEST(TargetMetric, SameWithOneThreadAndMany) {
   EXPECT_EQ(one.settled_vertices, many.settled_vertices);
 }
 
-TEST(TargetMetric, RefusesWhatIsNotThere) {
+TEST(TargetMetric, refusesWhatIsNotThere) {
   const TargetMetric metric(test::grid(2, 2, 1, 1));
   EXPECT_THROW(metric.geodesics({toVertex(9, 0)}), std::invalid_argument);
   EXPECT_THROW(metric.geodesics({toVertex(0, -1)}), std::invalid_argument);

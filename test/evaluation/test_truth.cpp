@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Truth, Identity) {
+TEST(Truth, identity) {
   const auto pairs = readTruth("identity", 3, 3);
   ASSERT_EQ(pairs.size(), 3u);
   EXPECT_EQ(pairs[2].source, 2);
@@ -25,7 +25,7 @@ TEST(Truth, Identity) {
               HasSubstr("3 source vertices"));
 }
 
-TEST(Truth, FileWithinRange) {
+TEST(Truth, fileWithinRange) {
   const test::TemporaryFolder folder;
   const std::filesystem::path file = folder / "truth.txt";
   std::ofstream(file) << "0 5\n2 1\n";
@@ -38,7 +38,7 @@ TEST(Truth, FileWithinRange) {
   EXPECT_THROW(readTruth(file, 3, 6), InputError);
 }
 
-TEST(Truth, PlacesMustBeOnTheTarget) {
+TEST(Truth, placesMustBeOnTheTarget) {
   TriangleMesh target;
   target.vertices = Points::Random(10, 3);
   target.vertices.row(9) = target.vertices.row(7);

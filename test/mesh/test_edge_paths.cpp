@@ -11,7 +11,7 @@
 namespace posture {
 namespace {
 
-TEST(EdgePaths, AreAsLongAsAGridsSides) {
+TEST(EdgePaths, areAsLongAsAGridsSides) {
   const TriangleMesh mesh = test::grid(10, 4, 10, 4);
   const EdgePaths paths(mesh);
   const Vector length = paths.lengths({0});
@@ -20,7 +20,7 @@ TEST(EdgePaths, AreAsLongAsAGridsSides) {
   EXPECT_NEAR(paths.lengths({0, 10})[7], 3, 1e-12);
 }
 
-TEST(EdgePaths, AreInfiniteWhereNoWayLeads) {
+TEST(EdgePaths, areInfiniteWhereNoWayLeads) {
   TriangleMesh two = test::grid(2, 1, 2, 1);
   two.faces.row(3) = two.faces.row(0);  // nothing is left at the last corner
   const EdgePaths paths(two);
@@ -30,7 +30,7 @@ TEST(EdgePaths, AreInfiniteWhereNoWayLeads) {
   EXPECT_FALSE(paths.reachesAll(0, {last}, std::numeric_limits<double>::infinity()));
 }
 
-TEST(EdgePaths, RunOverAsManyEdgesAsTheirLengthSays) {
+TEST(EdgePaths, runOverAsManyEdgesAsTheirLengthSays) {
   const TriangleMesh mesh = test::sphere(3);
   const EdgePaths paths(mesh);
   const Vector length = paths.lengths({4});
@@ -44,7 +44,7 @@ TEST(EdgePaths, RunOverAsManyEdgesAsTheirLengthSays) {
   EXPECT_EQ(paths.shortest(7, 7), std::vector<int>{7});
 }
 
-TEST(EdgePaths, ReachWhatIsNotTooFar) {
+TEST(EdgePaths, reachWhatIsNotTooFar) {
   const TriangleMesh mesh = test::grid(10, 4, 10, 4);
   const EdgePaths paths(mesh);
   EXPECT_TRUE(paths.reachesAll(0, {3, 5, 0, 3}, 5));

@@ -56,7 +56,7 @@ int partsBetween(const TriangleMesh& mesh, const std::vector<std::vector<int>>& 
   return parts;
 }
 
-TEST(Handles, AreCountedWhateverHolesAndPartsThereAre) {
+TEST(Handles, areCountedWhateverHolesAndPartsThereAre) {
   const TriangleMesh ring = test::torus(24, 12, 2, 0.5);
   EXPECT_EQ(Handles(test::sphere(2)).count(), 0);
   EXPECT_EQ(Handles(test::grid(5, 4, 1, 1)).count(), 0);
@@ -70,7 +70,7 @@ TEST(Handles, AreCountedWhateverHolesAndPartsThereAre) {
   EXPECT_EQ(Handles(test::fused(ring, 0, 12 * 12)).count(), 2);
 }
 
-TEST(Handles, LoopsAreClosedWaysThatDoNotPartTheSurface) {
+TEST(Handles, loopsAreClosedWaysThatDoNotPartTheSurface) {
   const TriangleMesh mesh = test::fused(test::torus(24, 12, 2, 0.5), 0, 12 * 12);
   const Handles handles(mesh);
   ASSERT_EQ(handles.count(), 2);
@@ -92,7 +92,7 @@ TEST(Handles, LoopsAreClosedWaysThatDoNotPartTheSurface) {
   }
 }
 
-TEST(Handles, LoopsOfATorusGoAcrossAndAround) {
+TEST(Handles, loopsOfATorusGoAcrossAndAround) {
   constexpr double TURN = 2 * 3.141592653589793;
   const TriangleMesh mesh = test::torus(60, 30, 2, 0.5);
   for (int base : {0, 15, 900}) {  // outermost, innermost, outermost
@@ -106,7 +106,7 @@ TEST(Handles, LoopsOfATorusGoAcrossAndAround) {
   }
 }
 
-TEST(Handles, AreNoneOnASphere) { EXPECT_TRUE(Handles(test::sphere(2)).loopsThrough(3).empty()); }
+TEST(Handles, areNoneOnASphere) { EXPECT_TRUE(Handles(test::sphere(2)).loopsThrough(3).empty()); }
 
 }  // namespace
 }  // namespace posture

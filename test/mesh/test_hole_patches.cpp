@@ -62,7 +62,7 @@ TriangleMesh tube(double radius, double length, int around, int along) {
   return mesh;
 }
 
-TEST(HolePatches, CloseASphereRoundly) {
+TEST(HolePatches, closeASphereRoundly) {
   for (const double radius : {0.15, 0.4, 0.8}) {
     const TriangleMesh sphere = punched(test::sphere(4), {0, 0, 1}, radius);
     const HolePatches patches = patchHoles(sphere);
@@ -78,7 +78,7 @@ TEST(HolePatches, CloseASphereRoundly) {
   }
 }
 
-TEST(HolePatches, CloseEveryShortRim) {
+TEST(HolePatches, closeEveryShortRim) {
   TriangleMesh sphere = test::sphere(4);
   for (const Eigen::RowVector3d& center :
        {Eigen::RowVector3d(1, 0, 0), Eigen::RowVector3d(0, -1, 0), Eigen::RowVector3d(0, 0, 1)})
@@ -89,7 +89,7 @@ TEST(HolePatches, CloseEveryShortRim) {
   EXPECT_EQ(boundaryEdges(patched(closed, patchHoles(closed))), 0);
 }
 
-TEST(HolePatches, LeaveTheEndsOfATubeAndTheBorderOfASheet) {
+TEST(HolePatches, leaveTheEndsOfATubeAndTheBorderOfASheet) {
   EXPECT_EQ(patchHoles(tube(1, 3, 40, 20)).holes, 0);
   const TriangleMesh sheet = test::grid(30, 30, 1, 1);
   EXPECT_EQ(patchHoles(sheet).holes, 0);
@@ -100,14 +100,14 @@ TEST(HolePatches, LeaveTheEndsOfATubeAndTheBorderOfASheet) {
   EXPECT_NEAR(faceAreas(patched(holed, patches)).sum(), 1, 1e-3);
 }
 
-TEST(HolePatches, AreNotNeededByAClosedSurface) {
+TEST(HolePatches, areNotNeededByAClosedSurface) {
   const HolePatches patches = patchHoles(test::sphere(2));
   EXPECT_EQ(patches.holes, 0);
   EXPECT_EQ(patches.vertices.rows(), 0);
   EXPECT_EQ(patches.faces.rows(), 0);
 }
 
-TEST(HolePatches, CloseAHoleOfOneFace) {
+TEST(HolePatches, closeAHoleOfOneFace) {
   TriangleMesh sphere = test::sphere(2);
   sphere.faces.conservativeResize(sphere.faces.rows() - 1, 3);
   EXPECT_EQ(boundaryEdges(sphere), 3);
@@ -115,7 +115,7 @@ TEST(HolePatches, CloseAHoleOfOneFace) {
 }
 
 /// A plate with a round hole of radius 1 that long thin faces lead to.
-TEST(HolePatches, DoNotOvershootBesideLongFaces) {
+TEST(HolePatches, doNotOvershootBesideLongFaces) {
   constexpr int RIM = 48;
   for (const double reach : {2.0, 10.0, 50.0}) {
     TriangleMesh plate;
@@ -140,7 +140,7 @@ TEST(HolePatches, DoNotOvershootBesideLongFaces) {
   }
 }
 
-TEST(HolePatches, CloseNoCutsThatAreNotHoles) {
+TEST(HolePatches, closeNoCutsThatAreNotHoles) {
   // A fin on a sphere: its edge on the sphere has three faces, its own border is none of a hole.
   TriangleMesh mesh = test::sphere(3);
   const auto n = mesh.vertices.rows(), m = mesh.faces.rows();
@@ -151,7 +151,7 @@ TEST(HolePatches, CloseNoCutsThatAreNotHoles) {
   EXPECT_EQ(patchHoles(mesh).holes, 0);
 }
 
-TEST(HolePatches, HoldHolesThatTouchAtAVertex) {
+TEST(HolePatches, holdHolesThatTouchAtAVertex) {
   // Two stars that share a vertex of their rims.
   TriangleMesh sheet = test::grid(20, 20, 1, 1);
   sheet = punched(punched(sheet, {0.45, 0.5, 0}, 0.01), {0.55, 0.5, 0}, 0.01);
@@ -162,7 +162,7 @@ TEST(HolePatches, HoldHolesThatTouchAtAVertex) {
   EXPECT_NEAR(faceAreas(whole).sum(), 1, 1e-2);
 }
 
-TEST(HolePatches, TakeAFineBorderInTheirStride) {
+TEST(HolePatches, takeAFineBorderInTheirStride) {
   // A border of six thousand edges.
   const HolePatches patches = patchHoles(test::grid(3000, 4, 10, 0.01));
   EXPECT_EQ(patches.holes, 0);

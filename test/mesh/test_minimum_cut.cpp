@@ -7,7 +7,7 @@
 namespace posture {
 namespace {
 
-TEST(MinimumCut, PartsAChainWhereItIsWeakest) {
+TEST(MinimumCut, partsAChainWhereItIsWeakest) {
   MinimumCut cut(3);
   cut.joinSource(0, 5);
   cut.join(0, 1, 3);
@@ -16,7 +16,7 @@ TEST(MinimumCut, PartsAChainWhereItIsWeakest) {
   EXPECT_EQ(cut.onSinkSide(), (std::vector<char>{0, 0, 1}));
 }
 
-TEST(MinimumCut, PartsAllWaysWhereTheyCostLeastTogether) {
+TEST(MinimumCut, partsAllWaysWhereTheyCostLeastTogether) {
   // Two ways from 0 to 3, one cheapest to cut at its begin, the other at its end.
   MinimumCut cut(4);
   cut.joinSource(0, 10);
@@ -28,7 +28,7 @@ TEST(MinimumCut, PartsAllWaysWhereTheyCostLeastTogether) {
   EXPECT_EQ(cut.onSinkSide(), (std::vector<char>{0, 1, 0, 1}));
 }
 
-TEST(MinimumCut, LeavesANodeToTheSideThatWantsItMore) {
+TEST(MinimumCut, leavesANodeToTheSideThatWantsItMore) {
   MinimumCut cut(2);
   cut.joinSource(0, 2);
   cut.joinSink(0, 1);

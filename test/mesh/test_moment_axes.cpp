@@ -17,11 +17,11 @@ Points unevenCross() {
   return points;
 }
 
-TEST(MomentAxes, FollowTheSecondMomentsAndPointToTheFarSide) {
+TEST(MomentAxes, followTheSecondMomentsAndPointToTheFarSide) {
   EXPECT_TRUE(momentAxes(unevenCross(), Vector::Ones(9)).isApprox(Eigen::Matrix3d::Identity()));
 }
 
-TEST(MomentAxes, TurnWithThePoints) {
+TEST(MomentAxes, turnWithThePoints) {
   for (int i = 0; i < 20; ++i) {
     const Eigen::Matrix3d turn =
         Eigen::AngleAxisd(0.5 * i, Eigen::Vector3d(1, i - 9, 2).normalized()).toRotationMatrix();
@@ -30,7 +30,7 @@ TEST(MomentAxes, TurnWithThePoints) {
   }
 }
 
-TEST(MomentAxes, AreARotationOfAMirroredBodyToo) {
+TEST(MomentAxes, areARotationOfAMirroredBodyToo) {
   Points mirrored = unevenCross();
   mirrored.col(0) *= -1;
   const Eigen::Matrix3d axes = momentAxes(mirrored, Vector::Ones(9));
@@ -38,7 +38,7 @@ TEST(MomentAxes, AreARotationOfAMirroredBodyToo) {
   EXPECT_NEAR(axes.determinant(), 1, 1e-12);
 }
 
-TEST(MomentAxes, LeaveOutWhatHasNoWeight) {
+TEST(MomentAxes, leaveOutWhatHasNoWeight) {
   Points points(10, 3);
   points << unevenCross(), 50, -80, 10;
   Vector weights = Vector::Ones(10);

@@ -59,7 +59,7 @@ int handlesWithout(const TriangleMesh& mesh, const std::vector<int>& vertices) {
   return Handles({mesh.vertices, left.topRows(count)}).count();
 }
 
-TEST(ContactSeam, IsInTheFoldNotWhereTheTubeIsNarrowest) {
+TEST(ContactSeam, isInTheFoldNotWhereTheTubeIsNarrowest) {
   const TriangleMesh mesh = tube(armAndFold);
   const std::vector<int> narrowest = ringAt(AROUND / 2);
   ASSERT_LT(lengthOf(mesh, narrowest), 0.8 * lengthOf(mesh, ringAt(0)));
@@ -72,7 +72,7 @@ TEST(ContactSeam, IsInTheFoldNotWhereTheTubeIsNarrowest) {
   EXPECT_EQ(handlesWithout(mesh, seam), 0);
 }
 
-TEST(ContactSeam, IsTheSameFromWhereverTheRingIs) {
+TEST(ContactSeam, isTheSameFromWhereverTheRingIs) {
   const TriangleMesh mesh = tube(armAndFold);
   const std::vector<int> seam = verticesOf(contactSeam(mesh, ringAt(AROUND / 2)));
   EXPECT_EQ(verticesOf(contactSeam(mesh, ringAt(AROUND / 4))), seam);
@@ -81,14 +81,14 @@ TEST(ContactSeam, IsTheSameFromWhereverTheRingIs) {
   EXPECT_EQ(verticesOf(contactSeam(mesh, other_way)), seam);
 }
 
-TEST(ContactSeam, IsTheRingWhereNoPathIsCheaper) {
+TEST(ContactSeam, isTheRingWhereNoPathIsCheaper) {
   // The tube is narrowest and folds inwards at 0.
   const TriangleMesh mesh = tube([](double angle) { return 0.4 + std::abs(angle) / PI; });
   const std::vector<int> ring = ringAt(0);
   EXPECT_EQ(verticesOf(contactSeam(mesh, ring)), ring);
 }
 
-TEST(ContactSeam, DoesNotCountWaysThereAndBack) {
+TEST(ContactSeam, doesNotCountWaysThereAndBack) {
   const TriangleMesh mesh = tube(armAndFold);
   const std::vector<int> ring = ringAt(AROUND / 2);
   std::vector<int> with_spur = ring;
@@ -97,7 +97,7 @@ TEST(ContactSeam, DoesNotCountWaysThereAndBack) {
   EXPECT_EQ(contactSeam(mesh, with_spur), contactSeam(mesh, ring));
 }
 
-TEST(ContactSeam, PassesAHoleInTheFold) {
+TEST(ContactSeam, passesAHoleInTheFold) {
   // Of the fold half was not seen: it still opens the handle, with fewer vertices.
   TriangleMesh mesh = tube(armAndFold);
   const std::size_t whole = contactSeam(mesh, ringAt(AROUND / 2)).size();

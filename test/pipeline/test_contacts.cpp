@@ -24,7 +24,7 @@ using test::Fused;
 using test::grownTogether;
 using test::person;
 
-TEST(PartedSurface, LeavesABodyWithoutHandlesAsItIs) {
+TEST(PartedSurface, leavesABodyWithoutHandlesAsItIs) {
   const TriangleMesh mesh = person(3).mesh;
   const CleanMesh clean = cleanMesh(mesh);
   const PartedSurface parted = partedSurface(mesh, clean);
@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(PartedSurface,
                          PartedContact,
                          testing::Values(Contact::TUBE, Contact::VERTEX));
 
-TEST_P(PartedContact, GivesTheDistancesBackThatItShortened) {
+TEST_P(PartedContact, givesTheDistancesBackThatItShortened) {
   const ArticulatedBody body = person(3);
   const Fused fused = grownTogether(body, GetParam());
   const CleanMesh clean = cleanMesh(fused.mesh);
@@ -69,7 +69,7 @@ TEST_P(PartedContact, GivesTheDistancesBackThatItShortened) {
   EXPECT_GT(lengthBeside(parted.clean), 0.8 * true_length);
 }
 
-TEST(PartedSurface, LeavesSmallHandlesAlone) {
+TEST(PartedSurface, leavesSmallHandlesAlone) {
   // Two neighbouring places of a sphere grown together: the way around is short.
   const TriangleMesh ball = test::sphere(4);
   const TriangleMesh mesh = test::fused(ball, 700, [&] {
@@ -144,7 +144,7 @@ TriangleMesh plateWithHoles(int cells, int holes) {
   return mesh;
 }
 
-TEST(PartedSurface, TakesLittleLongerForManySmallHandles) {
+TEST(PartedSurface, takesLittleLongerForManySmallHandles) {
   const auto secondsFor = [](int holes) {
     const TriangleMesh mesh = plateWithHoles(45, holes);
     const CleanMesh clean = cleanMesh(mesh);

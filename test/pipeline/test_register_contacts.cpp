@@ -58,7 +58,7 @@ TriangleMesh windings() {
   return mesh;
 }
 
-TEST(RegisterShapes, KeepsItsResultWhereNothingIsLeftOfTheParted) {
+TEST(RegisterShapes, keepsItsResultWhereNothingIsLeftOfTheParted) {
   const TriangleMesh mesh = windings();
   bool is_parted = false;
   const RegistrationResult result = registerShapes(mesh, mesh, {}, [&](const StageEvent& event) {
@@ -69,7 +69,7 @@ TEST(RegisterShapes, KeepsItsResultWhereNothingIsLeftOfTheParted) {
   EXPECT_EQ(result.deformed.rows(), mesh.vertices.rows());
 }
 
-TEST(RegisterShapes, EndsInEitherAttemptWhereItsObserverSaysSo) {
+TEST(RegisterShapes, endsInEitherAttemptWhereItsObserverSaysSo) {
   struct Enough : std::runtime_error {
     using std::runtime_error::runtime_error;
   };
@@ -85,7 +85,7 @@ TEST(RegisterShapes, EndsInEitherAttemptWhereItsObserverSaysSo) {
                  Enough);
 }
 
-TEST(RegisterShapes, FindsItsWayThoughTheTargetIsGrownTogether) {
+TEST(RegisterShapes, findsItsWayThoughTheTargetIsGrownTogether) {
   const ArticulatedBody source = person(0), target = person(3, 1);
   const TriangleMesh fused = grownTogether(target).mesh;
   std::set<std::string> stages, pictures;

@@ -13,7 +13,7 @@
 namespace posture {
 namespace {
 
-TEST(Agreement, AllCornersAgreeOnALattice) {
+TEST(Agreement, allCornersAgreeOnALattice) {
   Points lattice(400, 3);
   for (int i = 0; i < 400; ++i) lattice.row(i) << i % 20, i / 20, 0;
   const OrientedPoints plane = test::upward(lattice);
@@ -30,7 +30,7 @@ TEST(Agreement, AllCornersAgreeOnALattice) {
   EXPECT_NEAR(area, 19 * 19, 1e-6);
 }
 
-TEST(Agreement, UsesNoEdgeTwiceInADirection) {
+TEST(Agreement, usesNoEdgeTwiceInADirection) {
   OrientedPoints sphere{test::spherePoints(1500, 0.01), {}};
   sphere.normals = sphere.points.rowwise().normalized();
   const Faces faces = agreeingFaces(sphere, test::candidatesOf(sphere));

@@ -52,7 +52,7 @@ TEST(CleanPoints, ofACurveAreOfNoSurface) {
   EXPECT_FALSE(find(knot).surface);
 }
 
-TEST(CleanPoints, AreAllVerticesOfASphere) {
+TEST(CleanPoints, areAllVerticesOfASphere) {
   const Points points = test::spherePoints(3000, 0);
   const Found found = find(points);
   ASSERT_TRUE(found.surface);
@@ -69,7 +69,7 @@ TEST(CleanPoints, AreAllVerticesOfASphere) {
   }
 }
 
-TEST(CleanPoints, KeepTheTopologyOfATorus) {
+TEST(CleanPoints, keepTheTopologyOfATorus) {
   const Found found = find(test::torusPoints(3000, 1, 0.3));
   ASSERT_TRUE(found.surface);
   expectManifold(found.surface->mesh);
@@ -77,7 +77,7 @@ TEST(CleanPoints, KeepTheTopologyOfATorus) {
   EXPECT_EQ(found.summary.boundary_loops, 0);
 }
 
-TEST(CleanPoints, MakeALimbOfSixPointsAround) {
+TEST(CleanPoints, makeALimbOfSixPointsAround) {
   const Points points = test::withBall(test::coarseLimb(6, 60, 0.1, 0.15));
   const Found found = find(points);
   ASSERT_TRUE(found.surface);
@@ -95,7 +95,7 @@ TEST(CleanPoints, MakeALimbOfSixPointsAround) {
   }
 }
 
-TEST(CleanPoints, ReachAsFarAlongALimbAsItsPointsLieApart) {
+TEST(CleanPoints, reachAsFarAlongALimbAsItsPointsLieApart) {
   // The sixteen points nearest to any are of its own ring: a spacing of 0.13 at most, steps of 0.7.
   const Points points = test::withBall(test::coarseLimb(40, 12, 0.25, 0.7));
   const Found found = find(points);
@@ -131,7 +131,7 @@ Points onTwoLegs() {
   return points;
 }
 
-TEST(CleanPoints, MakeNoHandleAcrossAGap) {
+TEST(CleanPoints, makeNoHandleAcrossAGap) {
   const Points points = onTwoLegs();
   const Found found = find(points);
   ASSERT_TRUE(found.surface);
@@ -141,7 +141,7 @@ TEST(CleanPoints, MakeNoHandleAcrossAGap) {
   EXPECT_GT(pointsOn(*found.surface), 0.97 * static_cast<double>(points.rows()));
 }
 
-TEST(CleanPoints, KeepSheetsApartThatAreNearlyAsCloseAsTheirPoints) {
+TEST(CleanPoints, keepSheetsApartThatAreNearlyAsCloseAsTheirPoints) {
   // A spacing of 0.065: a shell 0.1 thick, and a ball 0.1 beside it.
   const Points sphere = test::spherePoints(3000, 0);
   Points beside = test::spherePoints(3000, 0, 2);
@@ -166,7 +166,7 @@ TEST(CleanPoints, KeepSheetsApartThatAreNearlyAsCloseAsTheirPoints) {
   EXPECT_GT(inner, 0);
 }
 
-TEST(CleanPoints, LeaveTheRimOfAHalfSphereOpen) {
+TEST(CleanPoints, leaveTheRimOfAHalfSphereOpen) {
   const Points all = test::spherePoints(6000, 0);
   std::vector<int> rows;
   for (int i = 0; i < all.rows(); ++i)
@@ -184,7 +184,7 @@ TEST(CleanPoints, LeaveTheRimOfAHalfSphereOpen) {
   }
 }
 
-TEST(CleanPoints, LeaveOutliersOut) {
+TEST(CleanPoints, leaveOutliersOut) {
   Rng rng(6);
   Points wild(150, 3);
   for (int i = 0; i < wild.size(); ++i) wild.data()[i] = 4 * rng.uniform() - 2;
@@ -202,7 +202,7 @@ TEST(CleanPoints, LeaveOutliersOut) {
   EXPECT_GE(on_sphere, 2990);
 }
 
-TEST(CleanPoints, AreNotTakenForASurfaceWhereTheyAreNone) {
+TEST(CleanPoints, areNotTakenForASurfaceWhereTheyAreNone) {
   EXPECT_FALSE(find(test::spherePoints(3000, 0.02)).surface);
   EXPECT_FALSE(find(test::planePoints(1000, 0)).surface);
   Rng rng(2);

@@ -10,7 +10,7 @@ namespace {
 
 using test::cleannessOf;
 
-TEST(Cleanness, TellsNoiseFromCoarseness) {
+TEST(Cleanness, tellsNoiseFromCoarseness) {
   EXPECT_TRUE(cleannessOf(test::spherePoints(3000, 0)).is_clean);
   EXPECT_TRUE(cleannessOf(test::torusPoints(1000, 1, 0.3)).is_clean);
   EXPECT_TRUE(cleannessOf(test::withBall(test::coarseLimb(6, 60, 0.1, 0.15))).is_clean);
@@ -20,7 +20,7 @@ TEST(Cleanness, TellsNoiseFromCoarseness) {
   EXPECT_NEAR(cleannessOf(test::spherePoints(3000, 0.003)).noise, 0.046, 0.01);
 }
 
-TEST(Cleanness, KnowsNoiseThatIsNotEverywhereTheSame) {
+TEST(Cleanness, knowsNoiseThatIsNotEverywhereTheSame) {
   // 0.02 spacings on one ball, 0.2 on the other.
   Points beside = test::spherePoints(3000, 0.015, 2);
   beside.col(0).array() += 4;

@@ -47,7 +47,7 @@ TriangleMesh prism(int rings) {
   return mesh;
 }
 
-TEST(CurvatureFlips, FindTheRidgesOfAPrism) {
+TEST(CurvatureFlips, findTheRidgesOfAPrism) {
   const TriangleMesh whole = prism(8);
   const int n = static_cast<int>(whole.vertices.rows());
   HalfEdgeMesh half_edges(whole.faces, n);
@@ -66,7 +66,7 @@ TEST(CurvatureFlips, FindTheRidgesOfAPrism) {
   EXPECT_TRUE(HalfEdgeMesh(smooth.faces, n).check().empty());
 }
 
-TEST(CurvatureFlips, LeaveAPlaneAsItIs) {
+TEST(CurvatureFlips, leaveAPlaneAsItIs) {
   const TriangleMesh grid = test::grid(6, 5, 6, 5);
   EXPECT_EQ(withLessCurvature(grid), grid.faces);
 }

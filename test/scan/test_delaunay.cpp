@@ -93,7 +93,7 @@ double totalVolume(const Points& points, const Tetrahedra& tetrahedra) {
   return sum;
 }
 
-TEST(Delaunay, HasEmptySpheres) {
+TEST(Delaunay, hasEmptySpheres) {
   const Points points = randomPoints(500);
   const auto tetrahedra = delaunay(points);
   ASSERT_TRUE(tetrahedra);
@@ -101,7 +101,7 @@ TEST(Delaunay, HasEmptySpheres) {
   expectComplex(points, *tetrahedra, 500);
 }
 
-TEST(Delaunay, FillsALatticeWithoutFlatTetrahedra) {
+TEST(Delaunay, fillsALatticeWithoutFlatTetrahedra) {
   const Points points = lattice(6);
   const auto tetrahedra = delaunay(points);
   ASSERT_TRUE(tetrahedra);
@@ -110,7 +110,7 @@ TEST(Delaunay, FillsALatticeWithoutFlatTetrahedra) {
   EXPECT_NEAR(totalVolume(points, *tetrahedra), std::pow(5.0 / 6, 3), 1e-12);
 }
 
-TEST(Delaunay, FillsTheHullOfPointsOnASphere) {
+TEST(Delaunay, fillsTheHullOfPointsOnASphere) {
   // Rings of points: cospherical, and coplanar ring by ring.
   Points points(10 * 12 + 2, 3);
   for (int i = 0; i < 120; ++i) {
@@ -125,14 +125,14 @@ TEST(Delaunay, FillsTheHullOfPointsOnASphere) {
   EXPECT_NEAR(totalVolume(points, *tetrahedra), 4 * M_PI / 3, 0.35);
 }
 
-TEST(Delaunay, TakesOneOfRepeatedPoints) {
+TEST(Delaunay, takesOneOfRepeatedPoints) {
   Points points = test::joined(lattice(4), lattice(4));
   const auto tetrahedra = delaunay(points);
   ASSERT_TRUE(tetrahedra);
   expectComplex(points, *tetrahedra, 64);
 }
 
-TEST(Delaunay, FindsNothingInAPlane) {
+TEST(Delaunay, findsNothingInAPlane) {
   EXPECT_FALSE(delaunay(test::planePoints(200, 0.3)));
   EXPECT_FALSE(delaunay(lattice(5).leftCols<3>().topRows(25)));
   EXPECT_FALSE(delaunay(Points::Constant(5, 3, 0.5)));

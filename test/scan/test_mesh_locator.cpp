@@ -10,7 +10,7 @@
 namespace posture {
 namespace {
 
-TEST(MeshLocator, FindsNoFartherPlaceThanADenseSearch) {
+TEST(MeshLocator, findsNoFartherPlaceThanADenseSearch) {
   const TriangleMesh sphere = test::sphere(2);
   const MeshLocator locator(sphere);
   const Points queries = test::randomPoints(50, 3);
@@ -39,7 +39,7 @@ TEST(MeshLocator, FindsNoFartherPlaceThanADenseSearch) {
   }
 }
 
-TEST(MeshLocator, RefusesPlacesToWhichThereIsNoDistance) {
+TEST(MeshLocator, refusesPlacesToWhichThereIsNoDistance) {
   const TriangleMesh sphere = test::sphere(1);
   const MeshLocator locator(sphere);
   EXPECT_THROW(locator.nearest({1e200, 0, 0}), std::invalid_argument);

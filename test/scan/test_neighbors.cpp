@@ -11,7 +11,7 @@
 namespace posture {
 namespace {
 
-TEST(Neighbors, AreTheNearestOfAll) {
+TEST(Neighbors, areTheNearestOfAll) {
   const Points points = test::randomPoints(300, 5);
   const Matrix distances = test::pairwise(points);
   const NeighborTable table = NeighborSearch(points).table(7);
@@ -24,14 +24,14 @@ TEST(Neighbors, AreTheNearestOfAll) {
   }
 }
 
-TEST(Neighbors, LeaveOutThePointItselfAmongNearlyEqualOnes) {
+TEST(Neighbors, leaveOutThePointItselfAmongNearlyEqualOnes) {
   Points points = Points::Zero(6, 3);
   for (int i = 0; i < 6; ++i) points(i, 0) = 1 + 1e-12 * i;  // single precision tells none apart
   const NeighborTable table = NeighborSearch(points).table(5);
   for (int i = 0; i < 6; ++i) EXPECT_FALSE((table.row(i).array() == i).any());
 }
 
-TEST(Neighbors, AreCountedUpToThePadding) {
+TEST(Neighbors, areCountedUpToThePadding) {
   NeighborTable table(3, 2);
   table << 1, 2, 0, -1, -1, -1;
   EXPECT_EQ(neighborCount(table, 0), 2);

@@ -13,7 +13,7 @@ EstimatedNormals estimate(const Points& points) {
   return estimateNormals(points, neighbors, spacing(points, neighbors));
 }
 
-TEST(Normals, AreThoseOfASphere) {
+TEST(Normals, areThoseOfASphere) {
   const Points points = test::spherePoints(4000, 0.003);
   const Points normals = estimate(points).normals;
   for (int i = 0; i < 4000; ++i) {
@@ -22,7 +22,7 @@ TEST(Normals, AreThoseOfASphere) {
   }
 }
 
-TEST(Normals, DoNotMixOpposingSheets) {
+TEST(Normals, doNotMixOpposingSheets) {
   // Sheets 2.5 spacings apart: a ball of three spacings around a point holds much of the other one.
   const Points points =
       test::joined(test::planePoints(4000, 0), test::planePoints(4000, 0.04, 0, 2));
@@ -32,7 +32,7 @@ TEST(Normals, DoNotMixOpposingSheets) {
   EXPECT_LT(tilted, 80);
 }
 
-TEST(Normals, ResidualIsTheNoise) {
+TEST(Normals, residualIsTheNoise) {
   Points points = test::planePoints(10000, 0);
   Rng rng(2);
   for (int i = 0; i < 10000; ++i) points(i, 2) = 0.002 * rng.normal();

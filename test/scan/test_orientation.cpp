@@ -34,14 +34,14 @@ OrientationSummary orient(const Points& points, const OutsideHints& hints, Point
   return orientNormals(points, neighbors, spacing(points, neighbors), hints, normals);
 }
 
-TEST(Orientation, LooksOutOfATorusAlsoInItsHole) {
+TEST(Orientation, looksOutOfATorusAlsoInItsHole) {
   const Points points = test::torusPoints(4000, 1, 0.3), truth = torusNormals(points, 1);
   Points normals = scrambled(truth, 1);
   orient(points, {}, normals);
   EXPECT_EQ(agreeing(normals, truth), 4000);
 }
 
-TEST(Orientation, IsToldByNoPointAtTheSamePlace) {
+TEST(Orientation, isToldByNoPointAtTheSamePlace) {
   const Points once = test::torusPoints(2000, 1, 0.3), points = test::joined(once, once);
   const Points truth = torusNormals(points, 1);
   Points normals = scrambled(truth, 1);
@@ -49,7 +49,7 @@ TEST(Orientation, IsToldByNoPointAtTheSamePlace) {
   EXPECT_EQ(agreeing(normals, truth), 4000);
 }
 
-TEST(Orientation, OfAClosedBodyDoesNotBelieveNormalsThatLookInwards) {
+TEST(Orientation, ofAClosedBodyDoesNotBelieveNormalsThatLookInwards) {
   const Points points = test::torusPoints(4000, 1, 0.3), truth = torusNormals(points, 1);
   Points normals = scrambled(truth, 1);
   const OrientationSummary summary = orient(points, {-truth, HintSource::NORMALS}, normals);
@@ -57,7 +57,7 @@ TEST(Orientation, OfAClosedBodyDoesNotBelieveNormalsThatLookInwards) {
   EXPECT_EQ(agreeing(normals, truth), 4000);
 }
 
-TEST(Orientation, OfAnOpenSurfaceFollowsConsistentNormals) {
+TEST(Orientation, ofAnOpenSurfaceFollowsConsistentNormals) {
   const Points points = test::planePoints(2000, 0);
   Points up = Points::Zero(2000, 3);
   up.col(2).setOnes();
@@ -68,7 +68,7 @@ TEST(Orientation, OfAnOpenSurfaceFollowsConsistentNormals) {
   }
 }
 
-TEST(Orientation, IgnoresNormalsWithoutConsistentSign) {
+TEST(Orientation, ignoresNormalsWithoutConsistentSign) {
   const Points points = test::planePoints(2000, 0);
   Points up = Points::Zero(2000, 3);
   up.col(2).setOnes();
@@ -78,7 +78,7 @@ TEST(Orientation, IgnoresNormalsWithoutConsistentSign) {
   EXPECT_TRUE(agree == 0 || agree == 2000);
 }
 
-TEST(Orientation, LooksAtTheSensorEvenFromInside) {
+TEST(Orientation, looksAtTheSensorEvenFromInside) {
   const Points points = test::spherePoints(4000, 0);
   Points normals = scrambled(points, 2);
   const OutsideHints hints{-points, HintSource::SENSOR};  // the scanner stands in the middle

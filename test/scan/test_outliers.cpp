@@ -20,7 +20,7 @@ std::vector<char> keptOfClean(const Points& points) {
   return withoutStrays(points, neighbors, spacing(points, neighbors));
 }
 
-TEST(Outliers, GoAndTheSurfaceStays) {
+TEST(Outliers, goAndTheSurfaceStays) {
   Rng rng(4);
   Points wild(400, 3);
   for (int i = 0; i < wild.size(); ++i) wild.data()[i] = 3 * rng.uniform() - 1.5;
@@ -32,7 +32,7 @@ TEST(Outliers, GoAndTheSurfaceStays) {
   EXPECT_EQ(far_kept, 0);
 }
 
-TEST(Outliers, SparsePartsOfASurfaceAreNone) {
+TEST(Outliers, sparsePartsOfASurfaceAreNone) {
   // A quarter of the density: spacings twice as large, then sixteen times fewer points: four times.
   Points sparse = test::planePoints(600, 0, 0, 2);
   sparse.col(0).array() += 1;
@@ -40,14 +40,14 @@ TEST(Outliers, SparsePartsOfASurfaceAreNone) {
   EXPECT_GE(std::accumulate(keep.end() - 600, keep.end(), 0), 570);
 }
 
-TEST(Outliers, SmallGroupsGo) {
+TEST(Outliers, smallGroupsGo) {
   Points group = 0.03 * test::spherePoints(20, 0);
   group.col(2).array() += 2;
   const std::vector<char> keep = kept(test::joined(test::spherePoints(4000, 0), group));
   EXPECT_EQ(std::accumulate(keep.end() - 20, keep.end(), 0), 0);
 }
 
-TEST(Strays, GoAndCoarsePartsStay) {
+TEST(Strays, goAndCoarsePartsStay) {
   // Rings 0.7 apart, and a part of it coarse all around, beside a ball whose points are 0.04 apart.
   Points limb = test::coarseLimb(40, 12, 0.25, 0.7), sparse = test::planePoints(100, 0, 0, 2);
   limb.col(0).array() += 4;

@@ -11,7 +11,7 @@
 namespace posture {
 namespace {
 
-TEST(Predicates, AgreeWithIntegers) {
+TEST(Predicates, agreeWithIntegers) {
   // Small enough for products of five in 64 bits; a third of them are degenerate.
   Rng rng(6);
   const auto place = [&] {
@@ -53,7 +53,7 @@ TEST(Predicates, AgreeWithIntegers) {
   EXPECT_GT(degenerate, 20);
 }
 
-TEST(Predicates, AreExactWhereRoundingIsNot) {
+TEST(Predicates, areExactWhereRoundingIsNot) {
   // Nearly in a plane: the last place of coordinates of 51 bits decides.
   const double far = 0x1p51 - 1;
   EXPECT_EQ(orientation({0, 0, 0}, {far, 0, 1}, {0, far, 1}, {far, far, 2}), 0);

@@ -35,7 +35,7 @@ std::string refusal(const Points& points, const ReconstructionOptions& options =
   return "accepted";
 }
 
-TEST(Reconstruct, ClosesASphereAndLooksOutwards) {
+TEST(Reconstruct, closesASphereAndLooksOutwards) {
   const ScanSurface surface = reconstruct(cloudOf(test::spherePoints(4000, 0.002)));
   expectManifold(surface.mesh);
   EXPECT_EQ(surface.summary.components, 1);
@@ -65,14 +65,14 @@ class ReconstructTorus : public testing::TestWithParam<double> {
 };
 INSTANTIATE_TEST_SUITE_P(CleanAndNoisy, ReconstructTorus, testing::Values(0, 0.02));
 
-TEST_P(ReconstructTorus, KeepsItsTopology) {
+TEST_P(ReconstructTorus, keepsItsTopology) {
   const ScanSurface surface = reconstructed(torus(6000, 0.35));
   expectManifold(surface.mesh);
   EXPECT_EQ(surface.summary.boundary_loops, 0);
   EXPECT_EQ(eulerNumber(surface.mesh), 0);
 }
 
-TEST(Reconstruct, LeavesAHoleOpen) {
+TEST(Reconstruct, leavesAHoleOpen) {
   const ScanSurface surface = reconstruct(cloudOf(test::planePoints(5000, 0, 0.2)));
   expectManifold(surface.mesh);
   EXPECT_EQ(surface.summary.components, 1);
@@ -84,14 +84,14 @@ TEST(Reconstruct, LeavesAHoleOpen) {
   }
 }
 
-TEST(Reconstruct, TakesAPlaneForAnOpenSurface) {
+TEST(Reconstruct, takesAPlaneForAnOpenSurface) {
   const ScanSurface surface = reconstruct(cloudOf(test::planePoints(2000, 3)));
   expectManifold(surface.mesh);
   EXPECT_EQ(surface.summary.boundary_loops, 1);
   EXPECT_EQ(eulerNumber(surface.mesh), 1);
 }
 
-TEST(Reconstruct, DoesNotJoinOpposingSheets) {
+TEST(Reconstruct, doesNotJoinOpposingSheets) {
   // A closed box of a tenth of its width: three spacings. Its sheets are joined at the rim alone.
   Points box = test::joined(test::planePoints(1500, 0), test::planePoints(1500, 0.1, 0, 2));
   Rng rng(3);
@@ -134,7 +134,7 @@ Points touchingTubes(int points, double length, double gap, double angle) {
                       seen(test::tubePoints(points, 1 + gap, 1, length, 2), 1 + gap, -1));
 }
 
-TEST(Reconstruct, DoesNotJoinTubesThatTouch) {
+TEST(Reconstruct, doesNotJoinTubesThatTouch) {
   // A radius of ten spacings.
   const ScanSurface surface = reconstruct(cloudOf(touchingTubes(4000, 6, 0, 0.45)));
   expectManifold(surface.mesh);
@@ -142,7 +142,7 @@ TEST(Reconstruct, DoesNotJoinTubesThatTouch) {
   EXPECT_EQ(surface.summary.contacts, 0);
 }
 
-TEST(Reconstruct, SaysWherePartsMayBeJoined) {
+TEST(Reconstruct, saysWherePartsMayBeJoined) {
   // A radius of four spacings and a gap of one, with some noise: beyond telling.
   Points tubes = touchingTubes(1500, 15, 0.25, 0.45);
   Rng rng(4);
@@ -154,7 +154,7 @@ TEST(Reconstruct, SaysWherePartsMayBeJoined) {
   EXPECT_FALSE(surface.summary.warnings.empty());
 }
 
-TEST(Reconstruct, TellsTubesApartThatHaveNoNoise) {
+TEST(Reconstruct, tellsTubesApartThatHaveNoNoise) {
   const Points tubes = touchingTubes(1500, 12, 0.25, 0.45);
   const ScanSurface surface = reconstruct(cloudOf(tubes));
   expectManifold(surface.mesh);
@@ -166,7 +166,7 @@ TEST(Reconstruct, TellsTubesApartThatHaveNoNoise) {
   EXPECT_LT(joined, 48);
 }
 
-TEST(Reconstruct, LinksPointsWithoutNoiseToTheirVertices) {
+TEST(Reconstruct, linksPointsWithoutNoiseToTheirVertices) {
   Points points = test::torusPoints(3000, 1, 0.3);
   points.row(5) = points.row(6);
   points.row(7) << 3, 3, 3;
@@ -186,7 +186,7 @@ TEST(Reconstruct, LinksPointsWithoutNoiseToTheirVertices) {
   }
 }
 
-TEST(Reconstruct, KeepsPartsThatAGapCutsOff) {
+TEST(Reconstruct, keepsPartsThatAGapCutsOff) {
   Points second = test::spherePoints(1000, 0, 2);
   second.col(0).array() += 4;
   const ScanSurface surface =
@@ -195,7 +195,7 @@ TEST(Reconstruct, KeepsPartsThatAGapCutsOff) {
   EXPECT_EQ(surface.summary.boundary_loops, 0);
 }
 
-TEST(Reconstruct, TellsWhereEachPointIs) {
+TEST(Reconstruct, tellsWhereEachPointIs) {
   Points points = test::spherePoints(3000, 0.005);
   points.row(7).setConstant(NOTHING);
   points.row(8) << 5, 5, 5;
@@ -219,7 +219,7 @@ TEST(Reconstruct, TellsWhereEachPointIs) {
   }
 }
 
-TEST(Reconstruct, SurvivesOutliersAndNoise) {
+TEST(Reconstruct, survivesOutliersAndNoise) {
   Rng rng(5);
   Points wild(600, 3);
   for (int i = 0; i < wild.size(); ++i) wild.data()[i] = 4 * rng.uniform() - 2;
@@ -232,7 +232,7 @@ TEST(Reconstruct, SurvivesOutliersAndNoise) {
   EXPECT_LT((radii.array() - 1).abs().maxCoeff(), 0.1);
 }
 
-TEST(Reconstruct, LooksAtTheSensorOfAView) {
+TEST(Reconstruct, looksAtTheSensorOfAView) {
   // A bowl seen from inside, in the order of a depth image; the hidden half is missing.
   constexpr int WIDTH = 60;
   PointCloud view;
@@ -259,7 +259,7 @@ TEST(Reconstruct, LooksAtTheSensorOfAView) {
   }
 }
 
-TEST_P(ReconstructTorus, DoesNotDependOnThreads) {
+TEST_P(ReconstructTorus, doesNotDependOnThreads) {
   const Points points = torus(5000, 0.3);
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
@@ -272,7 +272,7 @@ TEST_P(ReconstructTorus, DoesNotDependOnThreads) {
   EXPECT_EQ(one.offset, four.offset);
 }
 
-TEST_P(ReconstructTorus, DoesNotDependOnTheOrderOfThePoints) {
+TEST_P(ReconstructTorus, doesNotDependOnTheOrderOfThePoints) {
   const Points points = torus(3000, 0.3);
   const ScanSurface given = reconstructed(points);
   const ScanSurface reversed = reconstructed(points.colwise().reverse());
@@ -280,7 +280,7 @@ TEST_P(ReconstructTorus, DoesNotDependOnTheOrderOfThePoints) {
   EXPECT_EQ(given.mesh.faces, reversed.mesh.faces);
 }
 
-TEST_P(ReconstructTorus, TurnsMovesAndScalesWithThePoints) {
+TEST_P(ReconstructTorus, turnsMovesAndScalesWithThePoints) {
   const Points points = torus(3000, 0.3);
   const ScanSurface given = reconstructed(points);
   const Eigen::RowVector3d way(3, -1, 2);
@@ -298,7 +298,7 @@ TEST_P(ReconstructTorus, TurnsMovesAndScalesWithThePoints) {
   }
 }
 
-TEST_P(ReconstructTorus, PlacesThePointsAlikeInAnyUnit) {
+TEST_P(ReconstructTorus, placesThePointsAlikeInAnyUnit) {
   const Points points = torus(1500, 0.3);
   const ScanSurface given = reconstructed(points);
   for (const double unit : {0x1p-160, 0x1p-30, 0x1p30, 0x1p160}) {
@@ -311,7 +311,7 @@ TEST_P(ReconstructTorus, PlacesThePointsAlikeInAnyUnit) {
   }
 }
 
-TEST_P(ReconstructTorus, RefusesUnitsThatItCannotPlaceThePointsIn) {
+TEST_P(ReconstructTorus, refusesUnitsThatItCannotPlaceThePointsIn) {
   const Points points = torus(1500, 0.3);
   for (const double unit : {1e-300, 1e-160, 1e-60})
     EXPECT_EQ(refusal(unit * points), "is too small to compute with") << unit;
@@ -319,7 +319,7 @@ TEST_P(ReconstructTorus, RefusesUnitsThatItCannotPlaceThePointsIn) {
     EXPECT_EQ(refusal(unit * points), "has coordinates too large to compute with") << unit;
 }
 
-TEST_P(ReconstructTorus, WorksFarFromTheOriginAndBesideFarOutliers) {
+TEST_P(ReconstructTorus, worksFarFromTheOriginAndBesideFarOutliers) {
   const Points points = torus(3000, 0.3);
   const Points far_away = points.rowwise() + Eigen::RowVector3d(1e6, -3e6, 2e6);
   Points outliers(2, 3);
@@ -332,7 +332,7 @@ TEST_P(ReconstructTorus, WorksFarFromTheOriginAndBesideFarOutliers) {
   }
 }
 
-TEST(Reconstruct, RefusesWhatIsNoSurface) {
+TEST(Reconstruct, refusesWhatIsNoSurface) {
   EXPECT_EQ(refusal(Points(0, 3)), "has no points");
   EXPECT_EQ(refusal(Points::Constant(100, 3, NOTHING)), "has no point with finite coordinates");
   EXPECT_EQ(refusal(Points::Constant(100, 3, std::numeric_limits<double>::infinity())),
@@ -348,7 +348,7 @@ TEST(Reconstruct, RefusesWhatIsNoSurface) {
   EXPECT_EQ(refusal(line), "has all its points on one line");
 }
 
-TEST(Reconstruct, RefusesNormalsThatDoNotFit) {
+TEST(Reconstruct, refusesNormalsThatDoNotFit) {
   PointCloud cloud = cloudOf(test::spherePoints(100, 0));
   cloud.normals.resize(99, 3);
   EXPECT_THROW(reconstruct(cloud), std::invalid_argument);
@@ -356,7 +356,7 @@ TEST(Reconstruct, RefusesNormalsThatDoNotFit) {
 
 class OtherSurfaces : public testing::TestWithParam<SurfaceMethod> {};
 
-TEST_P(OtherSurfaces, AreManifoldAndLookOutwards) {
+TEST_P(OtherSurfaces, areManifoldAndLookOutwards) {
   const ScanSurface surface = reconstruct(cloudOf(test::spherePoints(2000, 0.002)), {GetParam()});
   expectManifold(surface.mesh);
   const Points normals = vertexNormals(surface.mesh);
@@ -369,7 +369,7 @@ TEST_P(OtherSurfaces, AreManifoldAndLookOutwards) {
   EXPECT_LT(inward, normals.rows() / 50);
 }
 
-TEST_P(OtherSurfaces, AreNotMadeOfLines) {
+TEST_P(OtherSurfaces, areNotMadeOfLines) {
   Points line = Points::Zero(500, 3), circle = line;
   for (int i = 0; i < 500; ++i) {
     line(i, 0) = 0.002 * i;

@@ -27,7 +27,7 @@ Faces without(const Faces& faces, int first, int count) {
   return rest;
 }
 
-TEST(LargestFans, SeparateTwoSheetsThatMeetInAVertex) {
+TEST(LargestFans, separateTwoSheetsThatMeetInAVertex) {
   // Three faces around vertex 0 on one side, one on the other.
   Faces faces(4, 3);
   faces << 0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 5, 6;
@@ -35,12 +35,12 @@ TEST(LargestFans, SeparateTwoSheetsThatMeetInAVertex) {
   EXPECT_EQ(largestFans(faces, 7), Faces(faces.topRows(3)));
 }
 
-TEST(LargestFans, LeaveAManifoldAsItIs) {
+TEST(LargestFans, leaveAManifoldAsItIs) {
   const TriangleMesh sphere = test::sphere(2);
   EXPECT_EQ(largestFans(sphere.faces, static_cast<int>(sphere.vertices.rows())), sphere.faces);
 }
 
-TEST(BoundaryLoops, RunAgainstTheFaces) {
+TEST(BoundaryLoops, runAgainstTheFaces) {
   Faces faces(1, 3);
   faces << 0, 1, 2;
   EXPECT_THAT(boundaryLoops(faces, 3), ElementsAre(ElementsAre(0, 2, 1)));
@@ -48,7 +48,7 @@ TEST(BoundaryLoops, RunAgainstTheFaces) {
   EXPECT_TRUE(boundaryLoops(sphere.faces, static_cast<int>(sphere.vertices.rows())).empty());
 }
 
-TEST(PinHoles, AreClosedAndLargeHolesAreNot) {
+TEST(PinHoles, areClosedAndLargeHolesAreNot) {
   TriangleMesh grid = test::grid(20, 20, 20, 20);
   // Two squares, of 1 and of 3 x 3 cells.
   const auto cell = [](int column, int row) { return 2 * (20 * row + column); };
@@ -63,7 +63,7 @@ TEST(PinHoles, AreClosedAndLargeHolesAreNot) {
   EXPECT_EQ(closePinHoles(grid, 13).rows(), grid.faces.rows() + 2 + 10);
 }
 
-TEST(SmallPieces, GoAndAreCounted) {
+TEST(SmallPieces, goAndAreCounted) {
   const TriangleMesh sphere = test::sphere(1);
   const int n = static_cast<int>(sphere.vertices.rows());
   TriangleMesh two = sphere;

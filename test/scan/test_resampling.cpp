@@ -20,7 +20,7 @@ int neighborsNeeded(const Points& points) {
   return noiseScale(points, NeighborSearch(points)).neighbors;
 }
 
-TEST(NoiseScale, GrowsWithTheNoise) {
+TEST(NoiseScale, growsWithTheNoise) {
   EXPECT_EQ(neighborsNeeded(noisyPlane(20000, 0)), 10);
   // A disc of k points has a radius of sqrt(k / pi) spacings, of which the noise may be a fifth: 50
   // points at 0.8 spacings, fewer as neighbours are sought in a ball and the plane is fitted.
@@ -30,7 +30,7 @@ TEST(NoiseScale, GrowsWithTheNoise) {
   EXPECT_THAT(neighborsNeeded(noisyPlane(20000, 1.6 * h)), testing::AnyOf(160, 320));
 }
 
-TEST(NoiseScale, KnowsViewsThatDoNotFit) {
+TEST(NoiseScale, knowsViewsThatDoNotFit) {
   // Two layers whose distance is more than neighbourhoods within one can bridge.
   Points points = test::joined(test::planePoints(2000, 0), test::planePoints(2000, 0.15, 0, 2));
   EXPECT_FALSE(noiseScale(points, NeighborSearch(points)).double_walls);
@@ -40,12 +40,12 @@ TEST(NoiseScale, KnowsViewsThatDoNotFit) {
   EXPECT_TRUE(noiseScale(solid, NeighborSearch(solid)).double_walls);
 }
 
-TEST(NoiseScale, FewPointsSayNothingOfViews) {
+TEST(NoiseScale, fewPointsSayNothingOfViews) {
   const Points points = test::planePoints(100, 0);
   EXPECT_FALSE(noiseScale(points, NeighborSearch(points)).double_walls);
 }
 
-TEST(Cells, HoldTheMeanOfTheirPoints) {
+TEST(Cells, holdTheMeanOfTheirPoints) {
   Points points(4, 3);
   points << 0.1, 0, 0, 2.5, 0, 0, 0.3, 0, 0, -0.1, 0, 0;
   const Cells cells = averageInCells(points, 1);

@@ -14,7 +14,7 @@ double deviation(const Points& points) {
   return std::sqrt((points.rowwise().norm().array() - meanRadius(points)).square().mean());
 }
 
-TEST(Smoothing, TakesNoiseOffASphereWithoutShrinkingIt) {
+TEST(Smoothing, takesNoiseOffASphereWithoutShrinkingIt) {
   OrientedPoints sphere{test::spherePoints(4000, 0.01), {}};
   sphere.normals = sphere.points.rowwise().normalized();
   const double before = deviation(sphere.points);
@@ -24,7 +24,7 @@ TEST(Smoothing, TakesNoiseOffASphereWithoutShrinkingIt) {
   EXPECT_NEAR(meanRadius(sphere.points), 1, 0.001);
 }
 
-TEST(Smoothing, LeavesOpposingSheetsApart) {
+TEST(Smoothing, leavesOpposingSheetsApart) {
   OrientedPoints sheets{
       test::joined(test::planePoints(4000, 0), test::planePoints(4000, 0.02, 0, 2)),
       Points::Zero(8000, 3)};

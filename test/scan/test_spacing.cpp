@@ -13,12 +13,12 @@
 namespace posture {
 namespace {
 
-TEST(Spacing, IsTheSideOfTheSquareOfAPoint) {
+TEST(Spacing, isTheSideOfTheSquareOfAPoint) {
   const Points points = test::planePoints(10000, 0);
   EXPECT_NEAR(spacing(points, NeighborSearch(points).table(16)).median, 0.01, 0.001);
 }
 
-TEST(Spacing, FollowsTheDensity) {
+TEST(Spacing, followsTheDensity) {
   Points sparse = test::planePoints(1000, 0, 0, 2);
   sparse.col(0).array() += 2;
   const Points points = test::joined(test::planePoints(16000, 0), sparse);

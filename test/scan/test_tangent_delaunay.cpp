@@ -23,7 +23,7 @@ std::pair<Eigen::Vector2d, double> circumcircle(const Points& p, const std::arra
   return {a + offset, offset.norm()};
 }
 
-TEST(TangentDelaunay, IsThePlanesOwnTriangulationInThePlane) {
+TEST(TangentDelaunay, isThePlanesOwnTriangulationInThePlane) {
   const OrientedPoints plane = test::upward(test::planePoints(400, 0));
   int looked_at = 0;
   for (const TangentTriangle& c : test::candidatesOf(plane)) {

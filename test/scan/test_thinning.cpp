@@ -9,7 +9,7 @@
 namespace posture {
 namespace {
 
-TEST(Thinning, LeavesPointsApartAndNoPlaceEmpty) {
+TEST(Thinning, leavesPointsApartAndNoPlaceEmpty) {
   const Points points = test::planePoints(3000, 0);
   OrientedPoints plane{points, Points::Zero(3000, 3)};
   plane.normals.col(2).setOnes();
@@ -24,7 +24,7 @@ TEST(Thinning, LeavesPointsApartAndNoPlaceEmpty) {
   for (int i = 0; i < 3000; ++i) EXPECT_FALSE(search.within(points.row(i), 0.01501).empty());
 }
 
-TEST(Thinning, KeepsBothOfOpposingSheets) {
+TEST(Thinning, keepsBothOfOpposingSheets) {
   OrientedPoints sheets{test::joined(test::planePoints(1000, 0), test::planePoints(1000, 0.001)),
                         Points::Zero(2000, 3)};
   sheets.normals.col(2) << -Vector::Ones(1000), Vector::Ones(1000);

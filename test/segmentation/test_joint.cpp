@@ -45,7 +45,7 @@ double turnFound(const Stiffness& a,
   return joint.turn(joint.cost(common, own));
 }
 
-TEST(Joint, TellsTheTurnFromItsCost) {
+TEST(Joint, tellsTheTurnFromItsCost) {
   for (const double along : {1.0, 0.01})
     for (const double length : {0.2, 1.0, 5.0})
       for (const double turn : {0.02, 0.2, 0.5}) {
@@ -56,7 +56,7 @@ TEST(Joint, TellsTheTurnFromItsCost) {
       }
 }
 
-TEST(Joint, TakesATwistForLittle) {
+TEST(Joint, takesATwistForLittle) {
   const Stiffness a = limb(-1, 0.1, 0.1), b = limb(0.1, 1.1, 0.1);
   const double seen = turnFound(a, b, 0.2, {1, 0, 0}, 1),
                hardly_seen = turnFound(a, b, 0.2, {1, 0, 0}, 0.01);
@@ -65,11 +65,11 @@ TEST(Joint, TakesATwistForLittle) {
   EXPECT_LT(hardly_seen, 0.2 * seen);
 }
 
-TEST(Joint, OfWhatMovesAsOneDoesNotTurn) {
+TEST(Joint, ofWhatMovesAsOneDoesNotTurn) {
   EXPECT_LT(turnFound(limb(-1, 0.1, 0.1), limb(0.1, 1.1, 0.1), 0, {0, 1, 0}, 1), 1e-5);
 }
 
-TEST(Stiffness, IsWhatItCostsToMoveOffTheSurface) {
+TEST(Stiffness, isWhatItCostsToMoveOffTheSurface) {
   Stiffness plate;  // in the plane of x and y
   for (int x : {-1, 1})
     for (int y : {-1, 1}) plate.add({double(x), double(y), 3}, {0, 0, 1}, 0.25);
@@ -79,7 +79,7 @@ TEST(Stiffness, IsWhatItCostsToMoveOffTheSurface) {
   EXPECT_LT((m - Matrix6(expected.asDiagonal())).norm(), 1e-12);
 }
 
-TEST(Joint, IsInTheMiddleOfTheBorder) {
+TEST(Joint, isInTheMiddleOfTheBorder) {
   Border border, rest;
   border.add({0, 0, 0}, {2, 0, 0});
   rest.add({2, 0, 0}, {2, 0, 0});  // no length

@@ -25,14 +25,14 @@ INSTANTIATE_TEST_SUITE_P(Kinds,
 const ArticulatedBody MADE_BEFORE_MAIN[] = {makeBody(bodyOptions(BodyKind::QUADRUPED, 4)),
                                             makeBody(bodyOptions(BodyKind::HUMAN, 4))};
 
-TEST_P(Bodies, AreTheSameBeforeMain) {
+TEST_P(Bodies, areTheSameBeforeMain) {
   const ArticulatedBody now = makeBody(bodyOptions(GetParam(), 4));
   const ArticulatedBody& before = MADE_BEFORE_MAIN[GetParam() == BodyKind::HUMAN ? 1 : 0];
   EXPECT_EQ(before.mesh.vertices, now.mesh.vertices);
   EXPECT_EQ(before.bone, now.bone);
 }
 
-TEST_P(Bodies, AreClosedManifoldAndOfGenusZero) {
+TEST_P(Bodies, areClosedManifoldAndOfGenusZero) {
   for (int tessellation = 0; tessellation < 8; ++tessellation) {
     const ArticulatedBody body = makeBody(bodyOptions(GetParam(), 0, tessellation));
     const Topology topology = topologyOf(body.mesh);
@@ -45,7 +45,7 @@ TEST_P(Bodies, AreClosedManifoldAndOfGenusZero) {
   }
 }
 
-TEST_P(Bodies, HaveAboutTheVerticesAskedForInWellShapedTriangles) {
+TEST_P(Bodies, haveAboutTheVerticesAskedForInWellShapedTriangles) {
   for (int vertices : {1500, 5000, 10000})
     for (int tessellation : {0, 3}) {
       const TriangleMesh mesh = makeBody(bodyOptions(GetParam(), 0, tessellation, vertices)).mesh;
@@ -54,7 +54,7 @@ TEST_P(Bodies, HaveAboutTheVerticesAskedForInWellShapedTriangles) {
     }
 }
 
-TEST_P(Bodies, StandUprightLookForwardAndAreAboutOneLong) {
+TEST_P(Bodies, standUprightLookForwardAndAreAboutOneLong) {
   const Points places = makeBody(bodyOptions(GetParam())).mesh.vertices;
   const Eigen::RowVector3d low = places.colwise().minCoeff(), high = places.colwise().maxCoeff();
   EXPECT_NEAR(low.z(), 0, 0.02);
@@ -62,7 +62,7 @@ TEST_P(Bodies, StandUprightLookForwardAndAreAboutOneLong) {
   EXPECT_LT((high - low).maxCoeff(), 1.3);
 }
 
-TEST_P(Bodies, AreNearlyButNotExactlySymmetric) {
+TEST_P(Bodies, areNearlyButNotExactlySymmetric) {
   const ArticulatedBody body = makeBody(bodyOptions(GetParam(), 0, 0, 5000));
   Points reflected = body.rest_position;
   reflected.col(0) *= -1;
@@ -80,7 +80,7 @@ TEST_P(Bodies, AreNearlyButNotExactlySymmetric) {
   EXPECT_GT(std::abs(centre.x()), 1e-4);
 }
 
-TEST_P(Bodies, ComeOutTheSameEveryTime) {
+TEST_P(Bodies, comeOutTheSameEveryTime) {
   BodyOptions options = bodyOptions(GetParam(), 4, 2);
   options.holes = 5;
   options.noise = 0.001;
@@ -91,7 +91,7 @@ TEST_P(Bodies, ComeOutTheSameEveryTime) {
   EXPECT_EQ(a.bone, b.bone);
 }
 
-TEST_P(Bodies, DoNotDependOnTheNumberOfThreads) {
+TEST_P(Bodies, doNotDependOnTheNumberOfThreads) {
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
   const ArticulatedBody a = makeBody(bodyOptions(GetParam(), 4));
@@ -102,14 +102,14 @@ TEST_P(Bodies, DoNotDependOnTheNumberOfThreads) {
   EXPECT_TRUE(a.mesh.faces == b.mesh.faces);
 }
 
-TEST_P(Bodies, AreMeshedAnewByAnotherTessellation) {
+TEST_P(Bodies, areMeshedAnewByAnotherTessellation) {
   const TriangleMesh a = makeBody(bodyOptions(GetParam())).mesh;
   const TriangleMesh b = makeBody(bodyOptions(GetParam(), 0, 1)).mesh;
   EXPECT_FALSE(a.vertices.rows() == b.vertices.rows() && a.vertices == b.vertices);
   EXPECT_NEAR(volumeOf(a), volumeOf(b), 0.01 * volumeOf(a));
 }
 
-TEST_P(Bodies, DescribeEveryVertexAndBone) {
+TEST_P(Bodies, describeEveryVertexAndBone) {
   const ArticulatedBody body = makeBody(bodyOptions(GetParam(), 3));
   const auto n = static_cast<std::size_t>(body.mesh.vertices.rows());
   EXPECT_EQ(static_cast<std::size_t>(body.rest_position.rows()), n);
@@ -122,7 +122,7 @@ TEST_P(Bodies, DescribeEveryVertexAndBone) {
     EXPECT_GT(vertices_of[b], 0) << body.bone_names[b] << " moves nothing most";
 }
 
-TEST(BodyOptionsCheck, RejectsWhatMakesNoBody) {
+TEST(BodyOptionsCheck, rejectsWhatMakesNoBody) {
   const auto with = [](auto change) {
     BodyOptions options;
     change(options);

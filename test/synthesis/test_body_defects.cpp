@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-TEST(Holes, AreAsManyAsAsked) {
+TEST(Holes, areAsManyAsAsked) {
   for (BodyKind kind : {BodyKind::QUADRUPED, BodyKind::HUMAN})
     for (const auto& [holes, radius] : {std::pair(1, 0.05), {12, 0.02}, {40, 0.0}}) {
       BodyOptions options = bodyOptions(kind, 5, 1);
@@ -26,7 +26,7 @@ TEST(Holes, AreAsManyAsAsked) {
     }
 }
 
-TEST(Holes, AreAboutAsLargeAsAsked) {
+TEST(Holes, areAboutAsLargeAsAsked) {
   constexpr double RADIUS = 0.04;
   BodyOptions options = bodyOptions(BodyKind::HUMAN, 0, 0, 10000);
   const double whole = static_cast<double>(makeBody(options).mesh.faces.rows());
@@ -38,7 +38,7 @@ TEST(Holes, AreAboutAsLargeAsAsked) {
   EXPECT_NEAR(lost / (8 * 3.14159 * RADIUS * RADIUS), 1, 0.45);  // ways along edges are longer
 }
 
-TEST(Holes, LieElsewhereForAnotherSeedOrPose) {
+TEST(Holes, lieElsewhereForAnotherSeedOrPose) {
   BodyOptions options = bodyOptions(BodyKind::QUADRUPED);
   options.holes = 6;
   const Points first = makeBody(options).rest_position;
@@ -54,7 +54,7 @@ TEST(Holes, LieElsewhereForAnotherSeedOrPose) {
   EXPECT_TRUE(differs(pose));
 }
 
-TEST(Holes, ThatDoNotFitAreRefused) {
+TEST(Holes, thatDoNotFitAreRefused) {
   BodyOptions options = bodyOptions(BodyKind::HUMAN, 0, 0, 1000);
   options.holes = 500;
   EXPECT_THROW(makeBody(options), std::invalid_argument);
@@ -63,7 +63,7 @@ TEST(Holes, ThatDoNotFitAreRefused) {
   EXPECT_THROW(makeBody(options), std::invalid_argument);
 }
 
-TEST(Noise, HasTheDeviationAsked) {
+TEST(Noise, hasTheDeviationAsked) {
   constexpr double DEVIATION = 0.003;
   BodyOptions options = bodyOptions(BodyKind::QUADRUPED, 1, 0, 5000);
   const Points clean = makeBody(options).mesh.vertices;
@@ -75,7 +75,7 @@ TEST(Noise, HasTheDeviationAsked) {
   EXPECT_LT(std::abs(volumeOf(noisy.mesh) / volumeOf({clean, noisy.mesh.faces}) - 1), 0.05);
 }
 
-TEST(Noise, LeavesRestPlacesAlone) {
+TEST(Noise, leavesRestPlacesAlone) {
   BodyOptions options = bodyOptions(BodyKind::HUMAN, 0);
   const Points clean = makeBody(options).rest_position;
   options.noise = 0.01;

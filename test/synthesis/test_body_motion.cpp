@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(
              std::to_string(std::get<1>(tested.param));
     });
 
-TEST_P(Poses, KeepTheSurface) {
+TEST_P(Poses, keepTheSurface) {
   const Topology topology = topologyOf(body().mesh);
   EXPECT_TRUE(topology.manifold);
   EXPECT_EQ(topology.components, 1);
@@ -46,14 +46,14 @@ TEST_P(Poses, KeepTheSurface) {
 }
 
 // Skin gives at the joints and nowhere else.
-TEST_P(Poses, AreNearlyIsometric) {
+TEST_P(Poses, areNearlyIsometric) {
   const std::vector<double> changes = edgeChangesOf(body());
   EXPECT_LT(changes[changes.size() / 2], 0.02);
   EXPECT_LT(changes[changes.size() * 8 / 10], 0.12);
   EXPECT_LT(changes[changes.size() * 95 / 100], 0.4);
 }
 
-TEST_P(Poses, BendTheBody) {
+TEST_P(Poses, bendTheBody) {
   double moved = 0;
   for (const Eigen::Isometry3d& motion : body().bone_motion)
     moved = std::max(moved, Eigen::AngleAxisd(motion.linear()).angle());
@@ -61,12 +61,12 @@ TEST_P(Poses, BendTheBody) {
 }
 
 // Folds in the crook of a bent joint are allowed, limbs through the trunk are not.
-TEST_P(Poses, HardlyCutThemselves) {
+TEST_P(Poses, hardlyCutThemselves) {
   EXPECT_LT(countSelfIntersections(body().mesh),
             0.02 * static_cast<double>(body().mesh.faces.rows()));
 }
 
-TEST_P(Poses, MoveRigidPartsAsTheirBones) {
+TEST_P(Poses, moveRigidPartsAsTheirBones) {
   int rigid = 0;
   for (int v = 0; v < body().rest_position.rows(); ++v) {
     ASSERT_GT(body().bone_weight[v], 0);
@@ -79,7 +79,7 @@ TEST_P(Poses, MoveRigidPartsAsTheirBones) {
   EXPECT_GT(rigid, 0.25 * static_cast<double>(body().rest_position.rows()));
 }
 
-TEST_P(Poses, HaveProperRigidMotions) {
+TEST_P(Poses, haveProperRigidMotions) {
   for (const Eigen::Isometry3d& motion : body().bone_motion) {
     EXPECT_NEAR(motion.linear().determinant(), 1, 1e-9);
     EXPECT_LT((motion.linear() * motion.linear().transpose() - Eigen::Matrix3d::Identity()).norm(),
@@ -87,21 +87,21 @@ TEST_P(Poses, HaveProperRigidMotions) {
   }
 }
 
-TEST(RestPose, IsTheRestPlace) {
+TEST(RestPose, isTheRestPlace) {
   for (BodyKind kind : {BodyKind::QUADRUPED, BodyKind::HUMAN}) {
     const ArticulatedBody body = makeBody(bodyOptions(kind));
     EXPECT_LT((body.mesh.vertices - body.rest_position).cwiseAbs().maxCoeff(), 1e-12);
   }
 }
 
-TEST(RandomPoses, DifferFromEachOther) {
+TEST(RandomPoses, differFromEachOther) {
   const ArticulatedBody a = makeBody(bodyOptions(BodyKind::HUMAN, RANDOM_POSE));
   const ArticulatedBody b = makeBody(bodyOptions(BodyKind::HUMAN, RANDOM_POSE + 1));
   ASSERT_EQ(a.mesh.vertices.rows(), b.mesh.vertices.rows());
   EXPECT_GT((a.mesh.vertices - b.mesh.vertices).rowwise().norm().maxCoeff(), 0.1);
 }
 
-TEST(BoneNames, ComeInPairs) {
+TEST(BoneNames, comeInPairs) {
   for (BodyKind kind : {BodyKind::QUADRUPED, BodyKind::HUMAN}) {
     const ArticulatedBody body = makeBody(bodyOptions(kind, 0, 0, 1000));
     const std::set<std::string> names(body.bone_names.begin(), body.bone_names.end());

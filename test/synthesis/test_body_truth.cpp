@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-TEST(GroundTruth, IsTheIdentityOnOneTessellation) {
+TEST(GroundTruth, isTheIdentityOnOneTessellation) {
   for (BodyKind kind : {BodyKind::QUADRUPED, BodyKind::HUMAN}) {
     const ArticulatedBody source = makeBody(bodyOptions(kind, 0)),
                           target = makeBody(bodyOptions(kind, 7));
@@ -22,7 +22,7 @@ TEST(GroundTruth, IsTheIdentityOnOneTessellation) {
   }
 }
 
-TEST(GroundTruth, OfAnotherTessellationIsWithinAnEdge) {
+TEST(GroundTruth, ofAnotherTessellationIsWithinAnEdge) {
   for (BodyKind kind : {BodyKind::QUADRUPED, BodyKind::HUMAN}) {
     const ArticulatedBody source = makeBody(bodyOptions(kind, 0)),
                           target = makeBody(bodyOptions(kind, 3, 1));
@@ -42,7 +42,7 @@ TEST(GroundTruth, OfAnotherTessellationIsWithinAnEdge) {
 }
 
 // The one and only nearest, against looking at all of them.
-TEST(GroundTruth, IsTheNearestVertexByRestPlace) {
+TEST(GroundTruth, isTheNearestVertexByRestPlace) {
   const ArticulatedBody source = makeBody(bodyOptions(BodyKind::QUADRUPED, 0, 0, 1000));
   const ArticulatedBody target = makeBody(bodyOptions(BodyKind::QUADRUPED, 2, 5, 2000));
   for (const VertexPair& pair : groundTruth(source, target)) {
@@ -55,7 +55,7 @@ TEST(GroundTruth, IsTheNearestVertexByRestPlace) {
   }
 }
 
-TEST(GroundTruth, LeavesOutWhatTheTargetLacks) {
+TEST(GroundTruth, leavesOutWhatTheTargetLacks) {
   const ArticulatedBody source = makeBody(bodyOptions(BodyKind::HUMAN));
   BodyOptions options = bodyOptions(BodyKind::HUMAN, 2);
   options.holes = 4;
@@ -68,7 +68,7 @@ TEST(GroundTruth, LeavesOutWhatTheTargetLacks) {
   EXPECT_LE(left_out, lost);
 }
 
-TEST(MirrorTruth, TakesLeftForRight) {
+TEST(MirrorTruth, takesLeftForRight) {
   for (BodyKind kind : {BodyKind::QUADRUPED, BodyKind::HUMAN}) {
     const ArticulatedBody body = makeBody(bodyOptions(kind));
     const std::vector<VertexPair> mirror = mirrorTruth(body, body);
@@ -97,7 +97,7 @@ TEST(MirrorTruth, TakesLeftForRight) {
   }
 }
 
-TEST(GroundTruth, NeedsATargetWithFaces) {
+TEST(GroundTruth, needsATargetWithFaces) {
   EXPECT_THROW(groundTruth(makeBody(bodyOptions(BodyKind::HUMAN)), ArticulatedBody()),
                std::invalid_argument);
 }

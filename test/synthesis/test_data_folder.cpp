@@ -36,7 +36,7 @@ void expectTruth(const std::string& name, const std::string& source, const std::
   }
 }
 
-TEST(DataFolder, HoldsWhatItsReadmeSays) {
+TEST(DataFolder, holdsWhatItsReadmeSays) {
   for (const char* pose : {"0", "1", "3"})
     expectShape(std::string("quadruped/quadruped-pose") + pose + ".ply", 6);
   for (const char* pose : {"0", "6"})
@@ -52,7 +52,7 @@ TEST(DataFolder, HoldsWhatItsReadmeSays) {
   }
 }
 
-TEST(DataFolder, ScansAreOfTheirSurfaces) {
+TEST(DataFolder, scansAreOfTheirSurfaces) {
   for (const char* pose : {"0", "6"}) {
     const std::string name = folder + "/scans/human-pose" + pose;
     const PointCloud cloud = readShape(name + "-scan.pcd").cloud;
@@ -71,7 +71,7 @@ TEST(DataFolder, ScansAreOfTheirSurfaces) {
   }
 }
 
-TEST(DataFolder, ScansHaveTruth) {
+TEST(DataFolder, scansHaveTruth) {
   const auto points = [](const char* pose) {
     return readShape(folder + "/scans/human-pose" + pose + "-scan.pcd").cloud.points.rows();
   };

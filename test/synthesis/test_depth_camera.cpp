@@ -37,7 +37,7 @@ DepthImage take(const TriangleMesh& mesh,
   return takeDepthImage(RayCaster(mesh), mesh, camera(size, zoom * size), defects, 7);
 }
 
-TEST(DepthCamera, WithoutDefectsMeasuresTheDepth) {
+TEST(DepthCamera, withoutDefectsMeasuresTheDepth) {
   const DepthImage image = take(plate(3, 0.5), {});
   const DepthCamera view = camera();
   int seen = 0;
@@ -56,7 +56,7 @@ TEST(DepthCamera, WithoutDefectsMeasuresTheDepth) {
   EXPECT_GT(seen, 1000);
 }
 
-TEST(DepthCamera, NoiseAndStepsGrowWithTheSquareOfTheDepth) {
+TEST(DepthCamera, noiseAndStepsGrowWithTheSquareOfTheDepth) {
   DepthDefects defects;
   defects.noise = 0.002;
   defects.reference_depth = 1;
@@ -80,7 +80,7 @@ TEST(DepthCamera, NoiseAndStepsGrowWithTheSquareOfTheDepth) {
   }
 }
 
-TEST(DepthCamera, LosesWhatIsSeenAslant) {
+TEST(DepthCamera, losesWhatIsSeenAslant) {
   DepthDefects defects;
   defects.lost_aslant = 0.2;
   // The cosine of the incidence in the middle of the image is 1 / sqrt(1 + slope^2).
@@ -94,7 +94,7 @@ TEST(DepthCamera, LosesWhatIsSeenAslant) {
   EXPECT_EQ(returns(0.15), 0);
 }
 
-TEST(DepthCamera, MeasuresBetweenTheDepthsAtSilhouettesOnly) {
+TEST(DepthCamera, measuresBetweenTheDepthsAtSilhouettesOnly) {
   DepthDefects defects;
   defects.flying = 1;
   defects.depth_edge = 0.1;
@@ -114,7 +114,7 @@ TEST(DepthCamera, MeasuresBetweenTheDepthsAtSilhouettesOnly) {
   EXPECT_NEAR(between, 4 * 24 - 4, 6);
 }
 
-TEST(DepthCamera, OutliersAreAsManyAsAskedAndSayNothing) {
+TEST(DepthCamera, outliersAreAsManyAsAskedAndSayNothing) {
   DepthDefects defects;
   defects.outliers = 0.1;
   const DepthImage image = take(plate(1), defects, 200);
@@ -124,7 +124,7 @@ TEST(DepthCamera, OutliersAreAsManyAsAskedAndSayNothing) {
   EXPECT_NEAR(wrong / pixels, 0.1, 0.01);
 }
 
-TEST(DepthCamera, IsTheSameForAnyNumberOfThreads) {
+TEST(DepthCamera, isTheSameForAnyNumberOfThreads) {
   DepthDefects defects;
   defects.noise = defects.step = defects.outliers = 0.01;
   defects.jitter = 0.5;

@@ -37,7 +37,7 @@ double nearestOfAll(const TriangleMesh& mesh,
   return best;
 }
 
-TEST(RayCaster, AgreesWithLookingAtEveryFace) {
+TEST(RayCaster, agreesWithLookingAtEveryFace) {
   const TriangleMesh mesh = makeBody(bodyOptions(BodyKind::HUMAN, 5)).mesh;
   const RayCaster caster(mesh);
   Rng rng(1);
@@ -64,7 +64,7 @@ TEST(RayCaster, AgreesWithLookingAtEveryFace) {
   EXPECT_LT(hits, 390);
 }
 
-TEST(RayCaster, MeetsSidesEdgesAndAxesAlike) {
+TEST(RayCaster, meetsSidesEdgesAndAxesAlike) {
   const TriangleMesh mesh = grid(4, 4, 4, 4);  // in z = 0
   const RayCaster caster(mesh);
   for (double x = 0; x <= 4; x += 0.5)
@@ -77,7 +77,7 @@ TEST(RayCaster, MeetsSidesEdgesAndAxesAlike) {
   EXPECT_EQ(caster.cast({5, 2, 1}, {0, 0, -1}).face, -1);
 }
 
-TEST(RayCaster, OfNothingMeetsNothing) {
+TEST(RayCaster, ofNothingMeetsNothing) {
   EXPECT_EQ(RayCaster(TriangleMesh()).cast({0, 0, 0}, {0, 0, 1}).face, -1);
   TriangleMesh wrong = grid(1, 1, 1, 1);
   wrong.faces(0, 0) = 9;

@@ -17,7 +17,7 @@ BodyOptions small() {
   return options;
 }
 
-TEST(RigidPair, TheMotionTakesEachPlaceToItsCounterpart) {
+TEST(RigidPair, theMotionTakesEachPlaceToItsCounterpart) {
   const RigidPair pair = makeRigidPair(small());
   const std::vector<VertexPair> truth = groundTruth(pair.source, pair.target);
   const double edge = test::meanEdgeOf(pair.target.mesh);
@@ -32,7 +32,7 @@ TEST(RigidPair, TheMotionTakesEachPlaceToItsCounterpart) {
   EXPECT_GT(here, edge);
 }
 
-TEST(RigidPair, EachSideHasWhatTheOtherLacks) {
+TEST(RigidPair, eachSideHasWhatTheOtherLacks) {
   const RigidPair pair = makeRigidPair(small());
   // The quadruped is longest along y, its tail is at the low end.
   Vector source(pair.source.mesh.vertices.rows());
@@ -49,7 +49,7 @@ TEST(RigidPair, EachSideHasWhatTheOtherLacks) {
   EXPECT_GE(pair.source.mesh.faces.minCoeff(), 0);
 }
 
-TEST(RigidPair, NoiseDiffersBetweenTheSides) {
+TEST(RigidPair, noiseDiffersBetweenTheSides) {
   BodyOptions noisy = small();
   noisy.noise = 0.003;
   const RigidPair clean = makeRigidPair(small()), disturbed = makeRigidPair(noisy);

@@ -54,7 +54,7 @@ std::vector<double> distancesFromPlace(const SimulatedScan& scan) {
   return distances;
 }
 
-TEST(SimulatedScan, HasAboutAsManyPointsAsAsked) {
+TEST(SimulatedScan, hasAboutAsManyPointsAsAsked) {
   for (const BodyKind kind : {BodyKind::HUMAN, BodyKind::QUADRUPED})
     for (const int views : {1, 6}) {
       const SimulatedScan scan =
@@ -66,7 +66,7 @@ TEST(SimulatedScan, HasAboutAsManyPointsAsAsked) {
     }
 }
 
-TEST(SimulatedScan, OfOneViewIsAGridInTheCamerasFrame) {
+TEST(SimulatedScan, ofOneViewIsAGridInTheCamerasFrame) {
   const SimulatedScan scan = scanBody(bodyOf(BodyKind::HUMAN), scanOptions(1, 1));
   ASSERT_GT(scan.cloud.width, 0);
   EXPECT_EQ(scan.cloud.points.rows() % scan.cloud.width, 0);
@@ -86,14 +86,14 @@ TEST(SimulatedScan, OfOneViewIsAGridInTheCamerasFrame) {
   }
 }
 
-TEST(SimulatedScan, OfSeveralViewsIsNoGrid) {
+TEST(SimulatedScan, ofSeveralViewsIsNoGrid) {
   const SimulatedScan scan = scanBody(bodyOf(BodyKind::QUADRUPED, 2), scanOptions(3, 1));
   EXPECT_EQ(scan.cloud.width, 0);
   EXPECT_FALSE(scan.cloud.sensor);
   EXPECT_TRUE(scan.cloud.points.allFinite());
 }
 
-TEST(SimulatedScan, WithoutNoiseLiesOnTheSurface) {
+TEST(SimulatedScan, withoutNoiseLiesOnTheSurface) {
   for (const int views : {1, 4}) {
     const ArticulatedBody& body = bodyOf(BodyKind::HUMAN, 6);
     const SimulatedScan scan = scanBody(body, scanOptions(views, 0));
@@ -114,7 +114,7 @@ TEST(SimulatedScan, WithoutNoiseLiesOnTheSurface) {
   }
 }
 
-TEST(SimulatedScan, NoisePutsItAboutAThousandthBesideTheSurface) {
+TEST(SimulatedScan, noisePutsItAboutAThousandthBesideTheSurface) {
   const ArticulatedBody& body = bodyOf(BodyKind::HUMAN, 0, 0, 20000);
   const double edge = meanEdgeOf(body.mesh);
   const auto beside = [&](double noise) {
@@ -145,7 +145,7 @@ TEST(SimulatedScan, NoisePutsItAboutAThousandthBesideTheSurface) {
 }
 
 // From the camera's place nothing is in front of what it sees.
-TEST(SimulatedScan, SeesNothingThroughTheBody) {
+TEST(SimulatedScan, seesNothingThroughTheBody) {
   const SimulatedScan scan = scanBody(bodyOf(BodyKind::QUADRUPED, 2), scanOptions(1, 0));
   const RayCaster caster(scan.surface);
   int seen = 0;
@@ -158,7 +158,7 @@ TEST(SimulatedScan, SeesNothingThroughTheBody) {
   EXPECT_GT(seen, 2500);
 }
 
-TEST(SimulatedScan, SurfaceIsTheBodyMovedAndScaled) {
+TEST(SimulatedScan, surfaceIsTheBodyMovedAndScaled) {
   const ArticulatedBody& body = bodyOf(BodyKind::HUMAN);
   const SimulatedScan scan = scanBody(body, scanOptions(5, 1)),
                       other = scanBody(body, scanOptions(5, 1, 4));
@@ -169,7 +169,7 @@ TEST(SimulatedScan, SurfaceIsTheBodyMovedAndScaled) {
             0.1);
 }
 
-TEST(SimulatedScan, TruthJoinsEqualPlaces) {
+TEST(SimulatedScan, truthJoinsEqualPlaces) {
   const SimulatedScan source = scanBody(bodyOf(BodyKind::HUMAN, 0), scanOptions(6, 1));
   const SimulatedScan target = scanBody(bodyOf(BodyKind::HUMAN, 6, 1), scanOptions(6, 1, 9));
   const std::vector<VertexPair> truth = groundTruth(source, target);
@@ -198,7 +198,7 @@ TEST(SimulatedScan, TruthJoinsEqualPlaces) {
   }
 }
 
-TEST(SimulatedScan, OneViewLeavesOutWhatItHasNotSeen) {
+TEST(SimulatedScan, oneViewLeavesOutWhatItHasNotSeen) {
   const SimulatedScan all = scanBody(bodyOf(BodyKind::HUMAN, 0), scanOptions(6, 1));
   const SimulatedScan front = scanBody(bodyOf(BodyKind::HUMAN, 6), scanOptions(1, 1));
   const auto share =
@@ -207,7 +207,7 @@ TEST(SimulatedScan, OneViewLeavesOutWhatItHasNotSeen) {
   EXPECT_LT(share, 0.65);
 }
 
-TEST(SimulatedScan, RefusesWhatCannotBe) {
+TEST(SimulatedScan, refusesWhatCannotBe) {
   const ArticulatedBody& body = bodyOf(BodyKind::HUMAN);
   EXPECT_THROW(scanBody(body, scanOptions(0, 1)), std::invalid_argument);
   EXPECT_THROW(scanBody(body, scanOptions(1, -1)), std::invalid_argument);

@@ -27,7 +27,7 @@ ProgramRun synthesize(std::vector<std::string> arguments) {
   return run(PROGRAM_DIR "/posture", arguments);
 }
 
-TEST(SynthesizeVerb, WritesShapesTruthAndTheListOfPairs) {
+TEST(SynthesizeVerb, writesShapesTruthAndTheListOfPairs) {
   const TemporaryFolder folder;
   const std::string out = folder / "new/made";
   const ProgramRun ended = synthesize({"-o",
@@ -58,7 +58,7 @@ TEST(SynthesizeVerb, WritesShapesTruthAndTheListOfPairs) {
             "synthetic; tessellations 0 and 0\n");
 }
 
-TEST(SynthesizeVerb, WritesTheBonesAndHowTheyMove) {
+TEST(SynthesizeVerb, writesTheBonesAndHowTheyMove) {
   const TemporaryFolder folder;
   const std::string out = folder / "made";
   ASSERT_EQ(synthesize({"-q", "-o", out, "--pose", "0", "3", "--vertices", "1500"}).exit_code, 0);
@@ -95,7 +95,7 @@ TEST(SynthesizeVerb, WritesTheBonesAndHowTheyMove) {
   EXPECT_EQ(seen.size(), motion.size());
 }
 
-TEST(SynthesizeVerb, MeshesAnewAndCutsHolesWhereAsked) {
+TEST(SynthesizeVerb, meshesAnewAndCutsHolesWhereAsked) {
   const TemporaryFolder folder;
   const std::string out = folder / "made";
   const ProgramRun ended = synthesize({"-o",
@@ -121,7 +121,7 @@ TEST(SynthesizeVerb, MeshesAnewAndCutsHolesWhereAsked) {
   EXPECT_THAT(bytesOf(out + "/pairs.csv"), HasSubstr("tessellations 0 and 1"));
 }
 
-TEST(SynthesizeVerb, WritesTheSameBytesForTheSameSeed) {
+TEST(SynthesizeVerb, writesTheSameBytesForTheSameSeed) {
   const TemporaryFolder folder;
   const auto made = [&](const std::string& name, const std::string& seed) {
     synthesize(
@@ -134,7 +134,7 @@ TEST(SynthesizeVerb, WritesTheSameBytesForTheSameSeed) {
   EXPECT_NE(made("c", "8"), first);
 }
 
-TEST(SynthesizeVerb, ScansEachPose) {
+TEST(SynthesizeVerb, scansEachPose) {
   const TemporaryFolder folder;
   const auto scan = [&](const std::string& name, const std::string& threads) {
     return synthesize({"-o",
@@ -182,7 +182,7 @@ TEST(SynthesizeVerb, ScansEachPose) {
 }
 
 // Not byte by byte: the last bits of a sine, and with them a step of a depth, may differ elsewhere.
-TEST(SynthesizeVerb, MakesTheScansOfTheDataFolder) {
+TEST(SynthesizeVerb, makesTheScansOfTheDataFolder) {
   const TemporaryFolder folder;
   const std::string made = folder / "scans", kept = DATA_DIR "/scans";
   const ProgramRun ended = synthesize({"-o",
@@ -210,7 +210,7 @@ TEST(SynthesizeVerb, MakesTheScansOfTheDataFolder) {
   }
 }
 
-TEST(SynthesizeVerb, MakesTheRigidPairOfTheDataFolder) {
+TEST(SynthesizeVerb, makesTheRigidPairOfTheDataFolder) {
   const TemporaryFolder folder;
   const std::string made = folder / "rigid", kept = DATA_DIR "/rigid";
   const ProgramRun ended =
@@ -227,7 +227,7 @@ TEST(SynthesizeVerb, MakesTheRigidPairOfTheDataFolder) {
   EXPECT_EQ(synthesize({"-o", made, "--rigid", "--scan"}).exit_code, 2);
 }
 
-TEST(SynthesizeVerb, KeepsTheGridOfASingleView) {
+TEST(SynthesizeVerb, keepsTheGridOfASingleView) {
   const TemporaryFolder folder;
   EXPECT_EQ(synthesize({"-o",
                         folder / "a",
@@ -249,14 +249,14 @@ TEST(SynthesizeVerb, KeepsTheGridOfASingleView) {
   EXPECT_TRUE(cloud.sensor);
 }
 
-TEST(SynthesizeVerb, WritesNoPairsForOneShape) {
+TEST(SynthesizeVerb, writesNoPairsForOneShape) {
   const TemporaryFolder folder;
   EXPECT_EQ(synthesize({"-o", folder / ".", "--pose", "5", "--vertices", "1000"}).exit_code, 0);
   EXPECT_THAT(folder.names(),
               ElementsAre("bones.json", "quadruped-pose5-bones.csv", "quadruped-pose5.ply"));
 }
 
-TEST(SynthesizeVerb, LeavesNothingOfAnotherRunBesideAShape) {
+TEST(SynthesizeVerb, leavesNothingOfAnotherRunBesideAShape) {
   const TemporaryFolder folder;
   const auto run = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"-o", folder / ".", "--pose", "5", "--vertices", "1000"});
@@ -276,7 +276,7 @@ TEST(SynthesizeVerb, LeavesNothingOfAnotherRunBesideAShape) {
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "quadruped-pose5.ply"));
 }
 
-TEST(SynthesizeVerb, WhatCannotBeMadeTakesNothingAway) {
+TEST(SynthesizeVerb, whatCannotBeMadeTakesNothingAway) {
   const TemporaryFolder folder;
   const std::vector<std::string> made{"-o", folder / ".", "--pose", "5", "6", "--vertices", "1000"};
   EXPECT_EQ(synthesize(made).exit_code, 0);
@@ -287,7 +287,7 @@ TEST(SynthesizeVerb, WhatCannotBeMadeTakesNothingAway) {
   EXPECT_EQ(folder.names(), before);
 }
 
-TEST(SynthesizeVerb, RefusesWhatCannotBeMeant) {
+TEST(SynthesizeVerb, refusesWhatCannotBeMeant) {
   const TemporaryFolder folder;
   const std::vector<std::vector<std::string>> wrong = {{"--kind", "fish"},
                                                        {"--pose", "1", "1"},
@@ -314,7 +314,7 @@ TEST(SynthesizeVerb, RefusesWhatCannotBeMeant) {
   EXPECT_EQ(synthesize({"--pose", "1"}).exit_code, 2);
 }
 
-TEST(SynthesizeVerb, SaysWhereItCannotWrite) {
+TEST(SynthesizeVerb, saysWhereItCannotWrite) {
   const ProgramRun ended = synthesize({"-o", "/proc/nowhere", "--vertices", "1000"});
   EXPECT_EQ(ended.exit_code, 3);
   EXPECT_TRUE(saidWhyInOneLine(ended));
