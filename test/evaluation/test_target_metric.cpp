@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/evaluation/target_metric.h>
+#include <posture/mesh/areas.h>
 
 #include <gtest/gtest.h>
 

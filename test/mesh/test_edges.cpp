@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/mesh/areas.h>
-#include <posture/mesh/corners.h>
-#include <posture/mesh/deformation_scale.h>
 #include <posture/mesh/edges.h>
 
 #include <gtest/gtest.h>
 
+#include "mesh/strange_faces.h"
 #include "support/shapes.h"
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -17,6 +19,16 @@ Faces threeOnAnEdge() {
   Faces faces(3, 3);
   faces << 0, 1, 2, 2, 1, 3, 1, 2, 4;
   return faces;
+}
+
+void expectBoundaryOfFaces(const Faces& faces, int vertex_count) {
+  std::map<std::pair<int, int>, int> sides;
+  for (int f = 0; f < faces.rows(); ++f)
+    for (int k = 0; k < 3; ++k) ++sides[std::minmax(faces(f, k), faces(f, (k + 1) % 3))];
+  std::vector<char> expected(vertex_count, 0);
+  for (const auto& [ends, count] : sides)
+    if (count == 1) expected[ends.first] = expected[ends.second] = 1;
+  EXPECT_EQ(boundaryVertices(faces, vertex_count), expected);
 }
 
 TEST(Edges, eulersNumberOfASphere) {
@@ -61,28 +73,37 @@ TEST(Edges, nothingLiesAcrossAnEdgeOfThreeFaces) {
   EXPECT_EQ(facesAcross(Faces(0, 3)).rows(), 0);
 }
 
-TEST(Areas, ofASurfaceAreThoseOfItsFacesTogether) {
-  const TriangleMesh grid = test::grid(4, 3, 2, 8);
-  EXPECT_DOUBLE_EQ(surfaceArea(grid), 16);
-  EXPECT_DOUBLE_EQ(rootArea(grid), 4);
-  EXPECT_EQ(surfaceArea({grid.vertices, Faces(0, 3)}), 0);
+TEST(BoundaryVertices, areTheRimOfAGrid) {
+  const int columns = 7, rows = 4;
+  const TriangleMesh grid = test::grid(columns, rows, 7, 4);
+  const std::vector<char> on_boundary =
+      boundaryVertices(grid.faces, static_cast<int>(grid.vertices.rows()));
+  for (int v = 0; v < static_cast<int>(grid.vertices.rows()); ++v) {
+    const double x = grid.vertices(v, 0), y = grid.vertices(v, 1);
+    EXPECT_EQ(on_boundary[v] != 0, x == 0 || x == columns || y == 0 || y == rows) << v;
+  }
 }
 
-TEST(Edges, medianRatioIsThatOfMostEdges) {
-  const TriangleMesh mesh = test::sphere(2);
-  Points places = 2.5 * mesh.vertices;
-  places.row(7) << 9, 9, 9;
-  EXPECT_NEAR(medianEdgeRatio(mesh, places), 2.5, 1e-12);
-  EXPECT_EQ(medianEdgeRatio({mesh.vertices, Faces(0, 3)}, places), 1);
+TEST(BoundaryVertices, areNoneOnAClosedSurfaceAndThoseOfAHoleOnOneWithAHole) {
+  TriangleMesh sphere = test::sphere(2);
+  const std::vector<char> none(static_cast<int>(sphere.vertices.rows()), 0);
+  EXPECT_EQ(boundaryVertices(sphere.faces, static_cast<int>(sphere.vertices.rows())), none);
+  const Eigen::RowVector3i removed = sphere.faces.row(sphere.faces.rows() - 1);
+  sphere.faces.conservativeResize(sphere.faces.rows() - 1, 3);
+  std::vector<char> rim = none;
+  for (int k = 0; k < 3; ++k) rim[removed[k]] = 1;
+  EXPECT_EQ(boundaryVertices(sphere.faces, static_cast<int>(sphere.vertices.rows())), rim);
 }
 
-TEST(Edges, scaleIsNotThatOfNoise) {
-  const TriangleMesh mesh = test::sphere(4);
-  const Points noise =
-      0.2 * meanEdgeLength(mesh) * test::randomPoints(static_cast<int>(mesh.vertices.rows()), 3);
-  const Points noisy = 2.5 * (mesh.vertices + noise);
-  EXPECT_GT(medianEdgeRatio(mesh, noisy), 2.5 * 1.005);
-  EXPECT_NEAR(scaleWithoutNoise(mesh, noisy), 2.5, 2.5 * 0.002);
+TEST(BoundaryVertices, areNoneWhereMoreThanTwoFacesMeet) {
+  Faces two(8, 3);  // tetrahedra on one edge, 0 1
+  two << 0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2, 0, 1, 4, 0, 4, 5, 0, 5, 1, 1, 5, 4;
+  EXPECT_EQ(boundaryVertices(two, 6), std::vector<char>(6, 0));
+}
+
+TEST(BoundaryVertices, areEndsOfEdgesOfOneFaceOnAnyMesh) {
+  expectBoundaryOfFaces(test::strangeFaces(), 9);
+  expectBoundaryOfFaces(Faces(0, 3), 2);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/mesh/edges.h>
+#include <posture/mesh/corners.h>
 #include <posture/mesh/position_of.h>
 
 #include <gtest/gtest.h>

@@ -192,15 +192,5 @@ TEST(SplitLongEdges, makesNoVertexWhereOneIs) {
   EXPECT_EQ(coarseness(point), 0);
 }
 
-TEST(Coarseness, tellsDensityAndNotSize) {
-  TriangleMesh mesh = test::grid(10, 10, 1, 1);
-  EXPECT_NEAR(coarseness(mesh), std::sqrt(0.02), 1e-12);
-  mesh.vertices *= 1000;
-  EXPECT_NEAR(coarseness(mesh), std::sqrt(0.02), 1e-12);
-  EXPECT_NEAR(coarseness(test::grid(5, 5, 1, 1)) / coarseness(mesh), 2, 1e-12);
-  // Large faces count, not many small ones.
-  EXPECT_GT(coarseness(uneven(mesh)), coarseness(mesh));
-}
-
 }  // namespace
 }  // namespace posture

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/mesh/clean_mesh.h>
+#include <posture/mesh/edges.h>
 #include <posture/mesh/vertex_neighbors.h>
 
 #include <gtest/gtest.h>
@@ -26,19 +27,19 @@ TEST(LeaveOutPatches, whatLiesBesideTheRimGoesToItAndTheRestHasNoCounterpart) {
   const GivenShape source{whole, whole_clean}, target{open, open_clean};
   const PatchedShape source_patched{whole, whole_clean},
       target_patched = withPatches(open, open_clean);
-  ASSERT_EQ(target_patched.holes, 1);
+  ASSERT_EQ(target_patched.patched_holes, 1);
   const int n = static_cast<int>(open.vertices.rows());
   // One source vertex to each of the patch.
   RegistrationResult result;
   result.correspondence.on_target.resize(whole.vertices.rows());
   result.correspondence.confidence = Vector::Ones(whole.vertices.rows());
   result.deformed = whole.vertices;
-  for (int i = 0; i < target_patched.vertices; ++i)
+  for (int i = 0; i < target_patched.patch_vertices; ++i)
     result.correspondence.on_target[i].vertex = n + i;
   leaveOutPatches(source, source_patched, target, target_patched, result);
   const std::vector<char> on_rim = boundaryVertices(open.faces, n);
   int beside = 0, within = 0;
-  for (int i = 0; i < target_patched.vertices; ++i) {
+  for (int i = 0; i < target_patched.patch_vertices; ++i) {
     double gap = 10;
     for (int v = 0; v < n; ++v)
       if (on_rim[v])
@@ -71,7 +72,7 @@ TEST(LeaveOutPatches, onAWideStripOnlyWhatIsBesideAVertexHasACounterpart) {
     return static_cast<int>(nearest);
   };
   PatchedShape joined{two, clean};
-  joined.pieces = 1;
+  joined.joined_pieces = 1;
   const auto strip = two.faces.rows();
   joined.input.faces.conservativeResize(strip + 1, 3);
   joined.input.faces.row(strip) << at(1, 0), at(1.5, 0), at(1, 0.1);

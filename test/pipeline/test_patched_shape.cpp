@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/mesh/connected_parts.h>
-#include <posture/mesh/edges.h>
 #include <posture/mesh/half_edge_mesh.h>
 #include <posture/mesh/handles.h>
 #include <posture/mesh/normals.h>
@@ -25,8 +24,8 @@ TEST(WithBridges, joinsThePiecesOfABodyAndKeepsWhatWasGiven) {
   const CleanMesh clean = cleanMesh(apart);
   ASSERT_EQ(clean.summary.components, 2);
   const PatchedShape joined = withBridges(apart, clean);
-  EXPECT_EQ(joined.pieces, 1);
-  EXPECT_EQ(joined.vertices, 0);
+  EXPECT_EQ(joined.joined_pieces, 1);
+  EXPECT_EQ(joined.patch_vertices, 0);
   EXPECT_EQ(joined.input.vertices, apart.vertices);
   ASSERT_GT(joined.input.faces.rows(), apart.faces.rows());
   EXPECT_EQ(joined.input.faces.topRows(apart.faces.rows()), apart.faces);
@@ -38,7 +37,7 @@ TEST(WithBridges, joinsThePiecesOfABodyAndKeepsWhatWasGiven) {
 TEST(WithBridges, leavesOneSurfaceAsItIs) {
   const TriangleMesh whole = person(0, 0).mesh;
   const PatchedShape same = withBridges(whole, cleanMesh(whole));
-  EXPECT_EQ(same.pieces, 0);
+  EXPECT_EQ(same.joined_pieces, 0);
   EXPECT_EQ(same.input.faces, whole.faces);
 }
 
@@ -53,7 +52,7 @@ TEST(WithPatches, doesNotTurnASurfaceRoundThatItCloses) {
   ball.faces.col(0).swap(ball.faces.col(1));
   const CleanMesh clean = cleanMesh(ball, Facing::AS_MOST);
   const PatchedShape patched = withPatches(ball, clean);
-  ASSERT_EQ(patched.holes, 1);
+  ASSERT_EQ(patched.patched_holes, 1);
   const Points before = vertexNormals(clean.mesh), after = vertexNormals(patched.clean.mesh);
   for (int v = 0; v < before.rows(); ++v)
     EXPECT_GT(before.row(v).dot(after.row(patched.clean.clean_vertex[clean.input_vertex[v]])), 0.5);
@@ -65,8 +64,8 @@ TEST(WithPatches, closesWhatIsCutOpenAtAContact) {
   const PartedSurface parted = partedSurface(mesh, clean);
   ASSERT_EQ(parted.contacts, 1);
   const PatchedShape patched = withPatches(mesh, parted);
-  EXPECT_EQ(patched.holes, 2);
-  EXPECT_EQ(patched.contacts, 1);
+  EXPECT_EQ(patched.patched_holes, 2);
+  EXPECT_EQ(patched.parted_contacts, 1);
   EXPECT_EQ(Handles(patched.clean.mesh).count(), 0);
   const HalfEdgeMesh edges(patched.clean.mesh.faces,
                            static_cast<int>(patched.clean.mesh.vertices.rows()));

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/edges.h>
+
 #include <gtest/gtest.h>
 
 #include "refine/club.h"

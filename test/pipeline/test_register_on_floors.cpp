@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/areas.h>
 #include <posture/mesh/edges.h>
 #include <posture/pipeline/register_shapes.h>
 #include <posture/pipeline/segment_shape.h>
