@@ -19,8 +19,8 @@
 namespace posture {
 namespace {
 
-/// Of an edge; see the header.
-constexpr double NOISY = 0.16;
+/// Of an edge; see the header. Noise makes the second two thirds of the first.
+constexpr double NOISY = 0.16, NOISY_ALONE = 0.11;
 
 /// Of a round: what varies within about four edges goes, with what Taubin gives as usual weights.
 constexpr int PASSES = 10;
@@ -42,6 +42,12 @@ std::vector<char> longRims(const std::vector<Edge>& edges, int vertex_count) {
   for (int size : rims.sizes()) is_long.push_back(size >= LONG_RIM);
   return is_long;
 }
+
+/// How much farther vertices move when smoothed than what is around them.
+struct Roughness {
+  double from_mean = 0;    ///< than their neighbours in the mean
+  double from_likest = 0;  ///< than the second likest of them
+};
 
 /// A mesh whose vertices move towards the mean of their neighbours: at a long rim, those along it.
 class Smoother {
@@ -68,10 +74,10 @@ class Smoother {
     return places;
   }
 
-  /// How far places are from the smoothed ones along the normals of these, less than their
-  /// neighbours' on the mean, in edges: the median over the vertices that have any. Curved limbs of
-  /// a coarse mesh move as well, but alike all around. Does not ask which way faces are turned.
-  double noise(const Points& places, const Points& smoothed) const {
+  /// How far places are from the smoothed ones along the normals of these, in edges, less than what
+  /// is around them: medians over the vertices that have any. Does not ask which way faces are
+  /// turned.
+  Roughness roughness(const Points& places, const Points& smoothed) const {
     const int n = static_cast<int>(places.rows());
     Points normals = Points::Zero(n, 3);
     Vector off = Vector::Zero(n);
@@ -80,20 +86,28 @@ class Smoother {
       normals.row(v) = normalLine(smoothed, v);
       off[v] = (places.row(v) - smoothed.row(v)).dot(normals.row(v));
     });
-    std::vector<double> rough;
+    std::vector<double> from_mean, from_likest, differences;
     for (int v = 0; v < n; ++v) {
       const int count = first_[v + 1] - first_[v];
       if (count == 0) continue;
       double length = 0, around = 0;
+      differences.clear();
       for (int i = first_[v]; i < first_[v + 1]; ++i) {
         const int w = neighbors_[i];
         length += (smoothed.row(w) - smoothed.row(v)).norm();
-        around += normals.row(v).dot(normals.row(w)) < 0 ? -off[w] : off[w];
+        const double off_here = normals.row(v).dot(normals.row(w)) < 0 ? -off[w] : off[w];
+        around += off_here;
+        const double difference = std::abs(off[v] - off_here);
+        differences.push_back(std::isfinite(difference) ? difference : 0);
       }
       const double off_neighbors = std::abs(count * off[v] - around) / length;
-      rough.push_back(std::isfinite(off_neighbors) ? off_neighbors : 0);
+      from_mean.push_back(std::isfinite(off_neighbors) ? off_neighbors : 0);
+      if (count < 2) continue;
+      std::nth_element(differences.begin(), differences.begin() + 1, differences.end());
+      from_likest.push_back(length > 0 ? count * differences[1] / length : 0);
     }
-    return rough.empty() ? 0 : median(std::move(rough));
+    return {from_mean.empty() ? 0 : median(std::move(from_mean)),
+            from_likest.empty() ? 0 : median(std::move(from_likest))};
   }
 
  private:
@@ -135,7 +149,8 @@ int smoothNoise(TriangleMesh& mesh) {
   Points vertices = mesh.vertices;
   for (int rounds = 0; rounds <= MOST_ROUNDS; ++rounds) {
     Points smoothed = smoother.smoothed(vertices);
-    if (!(smoother.noise(vertices, smoothed) > NOISY)) {
+    const Roughness rough = smoother.roughness(vertices, smoothed);
+    if (!(rough.from_mean > NOISY) || (rounds == 0 && rough.from_likest < NOISY_ALONE)) {
       if (rounds > 0) mesh.vertices = vertices(place, Eigen::all);
       return rounds;
     }
