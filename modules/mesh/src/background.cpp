@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/rng.h>
+#include <posture/core/unions.h>
 #include <posture/mesh/areas.h>
 #include <posture/mesh/background.h>
 #include <posture/mesh/require_mesh.h>
@@ -230,31 +231,44 @@ bool goesAround(const AreaSamples& samples,
          MOST_DIRECTIONS;
 }
 
+/// How far a plane goes in directions along it.
+class Extent {
+ public:
+  Extent(const AreaSamples& samples, const Plane& plane) : along_(plane) {
+    for (int k = 0; k < DIRECTIONS; ++k) {
+      const double angle = 2 * M_PI * k / DIRECTIONS;
+      direction_[k] = {std::cos(angle), std::sin(angle)};
+    }
+    end_.fill(-std::numeric_limits<double>::infinity());
+    for (int i = 0; i < samples.points.rows(); ++i) {
+      if (!plane.holds(samples, i)) continue;
+      const Eigen::Vector2d at = along_(samples.points.row(i));
+      for (int k = 0; k < DIRECTIONS; ++k) end_[k] = std::max(end_[k], at.dot(direction_[k]));
+    }
+  }
+
+  /// Whether a point is over or under it, and not farther than a margin past its ends.
+  bool has(const Eigen::RowVector3d& point, double margin = 0) const {
+    const Eigen::Vector2d at = along_(point);
+    for (int k = 0; k < DIRECTIONS; ++k)
+      if (at.dot(direction_[k]) > end_[k] + margin) return false;
+    return true;
+  }
+
+ private:
+  static constexpr int DIRECTIONS = 16;
+
+  Along along_;
+  std::array<Eigen::Vector2d, DIRECTIONS> direction_;
+  std::array<double, DIRECTIONS> end_;
+};
+
 /// Of some samples, those that lie over a plane, and not past its ends. So does a body on a floor,
 /// but what a bent sheet has to either side of where it is nearly flat does not.
-double shareOver(const AreaSamples& samples,
-                 const Plane& plane,
-                 const Along& along,
-                 const std::vector<int>& some) {
-  constexpr int DIRECTIONS = 16;
-  std::array<Eigen::Vector2d, DIRECTIONS> direction;
-  std::array<double, DIRECTIONS> end;
-  for (int k = 0; k < DIRECTIONS; ++k) {
-    const double angle = 2 * M_PI * k / DIRECTIONS;
-    direction[k] = {std::cos(angle), std::sin(angle)};
-  }
-  end.fill(-std::numeric_limits<double>::infinity());
-  for (int i = 0; i < samples.points.rows(); ++i) {
-    if (!plane.holds(samples, i)) continue;
-    const Eigen::Vector2d at = along(samples.points.row(i));
-    for (int k = 0; k < DIRECTIONS; ++k) end[k] = std::max(end[k], at.dot(direction[k]));
-  }
-  const auto over = std::count_if(some.begin(), some.end(), [&](int i) {
-    const Eigen::Vector2d at = along(samples.points.row(i));
-    for (int k = 0; k < DIRECTIONS; ++k)
-      if (at.dot(direction[k]) > end[k]) return false;
-    return true;
-  });
+double shareOver(const AreaSamples& samples, const Plane& plane, const std::vector<int>& some) {
+  const Extent extent(samples, plane);
+  const auto over = std::count_if(
+      some.begin(), some.end(), [&](int i) { return extent.has(samples.points.row(i)); });
   return static_cast<double>(over) / static_cast<double>(some.size());
 }
 
@@ -282,8 +296,7 @@ bool isBehind(const AreaSamples& samples, const std::vector<int>& body, Plane& p
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   for (int i : body) center += along(samples.points.row(i)) / n;
   return bareShare(samples, plane, along) > MOSTLY_BARE &&
-         shareOver(samples, plane, along, body) > MOSTLY_OVER &&
-         goesAround(samples, plane, along, center);
+         shareOver(samples, plane, body) > MOSTLY_OVER && goesAround(samples, plane, along, center);
 }
 
 /// The planes behind or beneath a body, with normals that point to it.
@@ -305,6 +318,50 @@ std::vector<Plane> backgroundPlanes(const AreaSamples& samples) {
   return background;
 }
 
+/// Marks the faces in a plane and beyond it, but not limbs of the body that hang past its edge:
+/// what goes on from the body, and is mostly farther out than the plane goes.
+/// \param points  the mesh's vertices, in the unit of the plane.
+void markBackground(const Points& points,
+                    const Faces& faces,
+                    const Plane& plane,
+                    const Extent& extent,
+                    std::vector<char>& background) {
+  constexpr double MARGIN = 0.02;  // samples are 0.016 apart
+  const auto isBody = [&](int v) { return plane.height(points.row(v)) > plane.reach; };
+  const auto isPlane = [&](int v) {
+    return std::abs(plane.height(points.row(v))) <= plane.reach && extent.has(points.row(v));
+  };
+  std::vector<char> is_at_body(points.rows(), 0);
+  std::vector<int> beyond;  // faces that may hang past the edge
+  Unions parts(static_cast<int>(points.rows()));
+  for (int f = 0; f < faces.rows(); ++f) {
+    const auto corners = faces.row(f);
+    if (std::any_of(corners.begin(), corners.end(), isBody)) {
+      for (int v : corners) is_at_body[v] = 1;
+    } else if (std::all_of(corners.begin(), corners.end(), isPlane)) {
+      background[f] = 1;
+    } else {
+      beyond.push_back(f);
+      for (int k = 1; k < 3; ++k) parts.join(corners[0], corners[k]);
+    }
+  }
+  const Vector areas = faceAreas({points, faces(beyond, Eigen::all)});
+  std::vector<double> outside(points.rows(), 0);  // of each part: its area, what is under less
+  std::vector<char> goes_on(points.rows(), 0);
+  for (std::size_t i = 0; i < beyond.size(); ++i) {
+    const Eigen::RowVector3i corners = faces.row(beyond[i]);
+    const int part = parts.root(corners[0]);
+    const Eigen::RowVector3d middle = points(corners, Eigen::all).colwise().mean();
+    const double area = areas[static_cast<Eigen::Index>(i)];
+    outside[part] += extent.has(middle, MARGIN) ? -area : area;
+    for (int v : corners) goes_on[part] |= is_at_body[v];
+  }
+  for (int f : beyond) {
+    const int part = parts.root(faces(f, 0));
+    if (goes_on[part] == 0 || outside[part] <= 0) background[f] = 1;
+  }
+}
+
 }  // namespace
 
 std::vector<char> backgroundFaces(const TriangleMesh& mesh) {
@@ -312,17 +369,9 @@ std::vector<char> backgroundFaces(const TriangleMesh& mesh) {
   std::vector<char> background(mesh.faces.rows(), 0);
   const double unit = 1 / rootArea(mesh);
   if (!std::isfinite(unit)) return background;
-  const std::vector<Plane> planes = backgroundPlanes(AreaSamples(mesh));
-  if (planes.empty()) return background;
-  const auto isBody = [&](const Plane& plane, int vertex) {
-    return plane.height(unit * mesh.vertices.row(vertex)) > plane.reach;
-  };
-  for (int f = 0; f < mesh.faces.rows(); ++f)
-    for (const Plane& plane : planes) {
-      const auto corners = mesh.faces.row(f);
-      if (std::none_of(corners.begin(), corners.end(), [&](int v) { return isBody(plane, v); }))
-        background[f] = 1;
-    }
+  const AreaSamples samples(mesh);
+  for (const Plane& plane : backgroundPlanes(samples))
+    markBackground(unit * mesh.vertices, mesh.faces, plane, Extent(samples, plane), background);
   return background;
 }
 
