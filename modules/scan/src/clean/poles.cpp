@@ -84,7 +84,10 @@ Points poleNormals(const Points& points,
       normals.row(i) = (sides.isFlipped(t) ? -1 : 1) * spheres.direction(i, t).normalized();
   std::vector<int> all(n);
   std::iota(all.begin(), all.end(), 0);
-  if (looksInward(points, normals, all, spacing, hints, summary)) normals *= -1;
+  const bool is_misplaced =
+      hints.source == HintSource::SENSOR && !isSeen(hints, normals, std::vector<int>(n, 0));
+  if (looksInward(points, normals, all, spacing, is_misplaced ? OutsideHints() : hints, summary))
+    normals *= -1;
   return normals;
 }
 

@@ -13,7 +13,7 @@ enum class HintSource {
   NONE,
   NORMALS,  ///< given with the points: of either sign, or of no sign at all
   GRID,     ///< the depth image, as it is seen: noisy, the side is certain
-  SENSOR,   ///< exact: the way from the points to the scanner
+  SENSOR,   ///< exact if the scanner stood there (isSeen()): the way from the points to it
 };
 
 struct OutsideHints {
@@ -23,6 +23,13 @@ struct OutsideHints {
 
 /// What they tell of some of the points.
 OutsideHints rowsOf(const OutsideHints& hints, const std::vector<int>& rows);
+
+/// Whether a sensor saw points from where it is said to be: a part of them looks towards it as a
+/// whole, or, with all its normals turned round, away from it. Views that were put into one file,
+/// or moved and kept the place of the scanner, look any way.
+/// \param normals  of consistent sign in each part.
+/// \param part_of  n: a number for each part.
+bool isSeen(const OutsideHints& hints, const Points& normals, const std::vector<int>& part_of);
 
 struct OrientationSummary {
   bool by_sensor = false;
