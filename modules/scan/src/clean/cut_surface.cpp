@@ -169,7 +169,8 @@ std::vector<std::vector<int>> longPatches(const CutFaces& faces) {
   return all;
 }
 
-/// Puts patches back that make no handle, by halves.
+/// Puts patches back that make no handle, by halves. Each look at the handles takes time as the
+/// surface does; patches that many looks have not told of, as those of a comb, are left out.
 class PutBack {
  public:
   PutBack(const Points& points, const CutFaces& faces, std::vector<char> kept)
@@ -178,7 +179,7 @@ class PutBack {
   using Patch = std::vector<std::vector<int>>::const_iterator;
 
   void operator()(Patch begin, Patch end) {
-    if (begin == end) return;
+    if (begin == end || !mayLook()) return;
     std::vector<char> more = kept_;
     for (Patch patch = begin; patch != end; ++patch)
       for (int f : *patch) more[f] = 1;
@@ -193,6 +194,12 @@ class PutBack {
   const std::vector<char>& kept() const { return kept_; }
 
  private:
+  /// Seconds, not minutes: a look at a million faces takes about one.
+  bool mayLook() {
+    constexpr double MOST_FACES = 1e7;
+    return ++looks_ * static_cast<double>(faces_.size()) < MOST_FACES;
+  }
+
   int handlesOf(const std::vector<char>& kept) const {
     return Handles(surfaceOf(points_, faces_, kept).mesh).count();
   }
@@ -201,6 +208,7 @@ class PutBack {
   const CutFaces& faces_;
   std::vector<char> kept_;  ///< of each face
   int handles_;
+  int looks_ = 0;
 };
 
 /// What is left of a bridge hangs on one of its ends: patches that share a point with one that is

@@ -32,9 +32,12 @@ TriangleMesh poissonSurface(const OrientedPoints& oriented,
   static const PoissonFunction poisson = loadPoisson();
   const double extent =
       (oriented.points.colwise().maxCoeff() - oriented.points.colwise().minCoeff()).maxCoeff();
-  // Cells of the octree as wide as the points are apart; PCL's box is a tenth wider than they.
+  // Cells of the octree as wide as the points are apart; PCL's box is a tenth wider than they. Few
+  // points in a large box are of several scales: a surface of n cells is about sqrt(n) across.
+  const double across = std::sqrt(static_cast<double>(oriented.points.rows()));
+  const int finest = std::clamp(static_cast<int>(std::ceil(std::log2(across))) + 3, 5, 12);
   const int depth =
-      std::clamp(static_cast<int>(std::ceil(std::log2(1.1 * extent / spacing))), 5, 12);
+      std::clamp(static_cast<int>(std::ceil(std::log2(1.1 * extent / spacing))), 5, finest);
   TriangleMesh mesh;
   poisson(oriented, depth, mesh);
 
