@@ -35,13 +35,11 @@ Side sideOfFile(const std::string& path, const std::string& frame) {
 
 std::shared_ptr<const Shape> shapeOf(const std::string& name, const Side& side) {
   if (side.shape) return side.shape;
-  try {
+  return naming(name, [&] {
     auto shape = std::make_shared<Shape>();
     shape->cloud = cloudOf(*side.message);
     return shape;
-  } catch (const InputError& error) {
-    throw InputError(name + " " + error.what());
-  }
+  });
 }
 
 }  // namespace

@@ -49,16 +49,17 @@ VertexMaps nearestMaps(const SpectralSurface& a,
   const float scale = spectralScale(a, b, k);
   const auto fa = a.functions.leftCols(k), fb = b.functions.leftCols(k);
   Block joint_a(fa.rows(), 2 * k + 12), joint_b(fb.rows(), 2 * k + 12);
-  parallelFor(2, [&](int side) {
-    if (side == 0)
-      joint_a << scale * fa, scale * (fa * c.ab), poses_a.own.cast<float>(),
-          poses_a.bent.cast<float>(), normalsOf(a, poses_a.own, normal_weight),
-          normalsOf(a, poses_a.bent, normal_weight);
-    if (side == 1)
-      joint_b << scale * (fb * c.ba), scale * fb, poses_b.bent.cast<float>(),
-          poses_b.own.cast<float>(), normalsOf(b, poses_b.bent, normal_weight),
-          normalsOf(b, poses_b.own, normal_weight);
-  });
+  inParallel(
+      [&] {
+        joint_a << scale * fa, scale * (fa * c.ab), poses_a.own.cast<float>(),
+            poses_a.bent.cast<float>(), normalsOf(a, poses_a.own, normal_weight),
+            normalsOf(a, poses_a.bent, normal_weight);
+      },
+      [&] {
+        joint_b << scale * (fb * c.ba), scale * fb, poses_b.bent.cast<float>(),
+            poses_b.own.cast<float>(), normalsOf(b, poses_b.bent, normal_weight),
+            normalsOf(b, poses_b.own, normal_weight);
+      });
   reduceDimensions(joint_a, joint_b, NEAREST_DIMENSIONS);
   VertexMaps found;
   nearestAmongGroups(joint_a, joint_b, found.forward, found.backward);

@@ -27,20 +27,18 @@ FunctionalMaps fitFunctionalMaps(const FunctionValues& a, const FunctionValues& 
   const Block weighted_b = a.weight.asDiagonal() * b.on_other;
   const Block weighted_a = b.weight.asDiagonal() * a.on_other;
   Block normal_a = a.gram, normal_b = b.gram, cross;
-  parallelFor(2, [&](int half) {
-    if (half == 0) {
-      normal_a.noalias() += a.on_other.transpose() * weighted_a;
-      normal_b.noalias() += b.on_other.transpose() * weighted_b;
-    } else {
-      cross.noalias() = a.own.transpose() * weighted_b;
-      cross.noalias() += weighted_a.transpose() * b.own;
-    }
-  });
+  inParallel(
+      [&] {
+        normal_a.noalias() += a.on_other.transpose() * weighted_a;
+        normal_b.noalias() += b.on_other.transpose() * weighted_b;
+      },
+      [&] {
+        cross.noalias() = a.own.transpose() * weighted_b;
+        cross.noalias() += weighted_a.transpose() * b.own;
+      });
   FunctionalMaps maps;
-  parallelFor(2, [&](int way) {
-    if (way == 0) maps.ab = solve(std::move(normal_a), cross);
-    if (way == 1) maps.ba = solve(std::move(normal_b), cross.transpose());
-  });
+  inParallel([&] { maps.ab = solve(std::move(normal_a), cross); },
+             [&] { maps.ba = solve(std::move(normal_b), cross.transpose()); });
   return maps;
 }
 

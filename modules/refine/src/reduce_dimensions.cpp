@@ -21,10 +21,7 @@ void reduceDimensions(Eigen::MatrixXf& a, Eigen::MatrixXf& b, int dimensions) {
   const Eigen::MatrixXf covariance = sample.transpose() * sample;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXf> solver(covariance);
   const Eigen::MatrixXf leading = solver.eigenvectors().rightCols(dimensions);
-  parallelFor(2, [&](int side) {
-    Eigen::MatrixXf& m = side == 0 ? a : b;
-    m = (m * leading).eval();
-  });
+  inParallel([&] { a = (a * leading).eval(); }, [&] { b = (b * leading).eval(); });
 }
 
 }  // namespace posture

@@ -180,12 +180,8 @@ class Settling {
     bend_b_.soften(softness);
     PoseFeaturePair of = poseFeatures(a_, b_, softness, pair_);
     for (int round = 0; round < rounds; ++round) {
-      parallelFor(2, [&](int side) {
-        if (side == 0)
-          bend_a_.pull(of.a, of.b, pair_.maps.forward, pair_.bent_a);
-        else
-          bend_b_.pull(of.b, of.a, pair_.maps.backward, pair_.bent_b);
-      });
+      inParallel([&] { bend_a_.pull(of.a, of.b, pair_.maps.forward, pair_.bent_a); },
+                 [&] { bend_b_.pull(of.b, of.a, pair_.maps.backward, pair_.bent_b); });
       of = poseFeatures(a_, b_, softness, pair_);
       pair_.maps = {slide(a_, of.a, b_, of.b, pair_.maps.forward),
                     slide(b_, of.b, a_, of.a, pair_.maps.backward)};

@@ -69,11 +69,7 @@ Part partOf(const std::string& name, const CloudSide& side) {
   if (!side.fault.empty()) throw InputError(name + " " + side.fault);
   if (side.cloud.points.rows() == 0) throw InputError(name + " has no points");
   if (side.polygons.empty()) return pointsOf(side);
-  try {
-    return meshOf(side);
-  } catch (const InputError& error) {
-    throw InputError(name + " " + error.what());
-  }
+  return naming(name, [&] { return meshOf(side); });
 }
 
 SurfacePoint referred(SurfacePoint place, const Part& to) {

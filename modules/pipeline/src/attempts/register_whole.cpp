@@ -55,12 +55,8 @@ PatchedSides patchedSides(const TriangleMesh& source,
                           const TriangleMesh& target,
                           const Surface& target_surface) {
   PatchedSides patched;
-  parallelFor(2, [&](int side) {
-    if (side == 0)
-      patched.source = withPatches(source, source_surface);
-    else
-      patched.target = withPatches(target, target_surface);
-  });
+  inParallel([&] { patched.source = withPatches(source, source_surface); },
+             [&] { patched.target = withPatches(target, target_surface); });
   return patched;
 }
 

@@ -29,10 +29,8 @@ void reduceSides(PosedSide& source, PosedSide& target) {
                      target_surface = posed(target.ordered.mesh, target.pose);
   source.shape = fullSide("source", source_surface, isMuchCoarser(source_surface, target_surface));
   target.shape = fullSide("target", target_surface, false);
-  parallelFor(2, [&](int side) {
-    if (side == 0) reduceSide("source", vertexCount(target.given, target.shape), source.shape);
-    if (side == 1) reduceSide("target", vertexCount(source.given, source.shape), target.shape);
-  });
+  inParallel([&] { reduceSide("source", vertexCount(target.given, target.shape), source.shape); },
+             [&] { reduceSide("target", vertexCount(source.given, source.shape), target.shape); });
 }
 
 }  // namespace
@@ -52,9 +50,8 @@ FirstMaps preparedSides(const GivenShape& source_given,
 
   // The smoothest functions on each surface, which do not change when it bends.
   clock.stage("spectrum", 0.09, [&] {
-    parallelFor(2, [&](int side) {
-      side == 0 ? addSpectrum("source", source.shape) : addSpectrum("target", target.shape);
-    });
+    inParallel([&] { addSpectrum("source", source.shape); },
+               [&] { addSpectrum("target", target.shape); });
   });
 
   // Geodesic distances between samples, and their canonical forms (the paper's section 4.1).

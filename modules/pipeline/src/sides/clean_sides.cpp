@@ -32,17 +32,13 @@ void forgetBackground(const SideSurface& surface, CleanMesh& clean) {
 }
 
 CleanMesh cleanSide(const std::string& side, SideSurface& surface) {
-  try {
+  return naming(side, [&] {
     if (!surface.scan) surface.denoising = denoise(surface.mesh);
     surface.background = leaveOutBackground(surface.mesh);
     CleanMesh clean = cleanMesh(surface.mesh);
     forgetBackground(surface, clean);
     return clean;
-  } catch (const InputError& error) {
-    throw InputError(side + " " + error.what());
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(side + " " + error.what());
-  }
+  });
 }
 
 /// Turns a surface that does not tell its outside, if the other one was inside out.
@@ -54,12 +50,8 @@ void turnAsOther(const CleanMesh& other, CleanMesh& clean) {
 
 CleanSides cleanSides(SideSurface& source, SideSurface& target) {
   CleanSides clean;
-  parallelFor(2, [&](int side) {
-    if (side == 0)
-      clean.source = cleanSide("source", source);
-    else
-      clean.target = cleanSide("target", target);
-  });
+  inParallel([&] { clean.source = cleanSide("source", source); },
+             [&] { clean.target = cleanSide("target", target); });
   if (source.scan || target.scan) return clean;
   turnAsOther(clean.target, clean.source);
   turnAsOther(clean.source, clean.target);

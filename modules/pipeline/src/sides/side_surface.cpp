@@ -8,14 +8,12 @@ namespace posture {
 
 SideSurface surfaceOf(const std::string& side, const Shape& shape, SurfaceMethod method) {
   if (shape.faces.rows() > 0) return SideSurface({shape.cloud.points, shape.faces});
-  try {
+  return naming(side, [&] {
     SideSurface surface;
     surface.scan = reconstruct(shape.cloud, {method});
     surface.mesh = surface.scan->mesh;
     return surface;
-  } catch (const InputError& error) {
-    throw InputError(side + " " + error.what());
-  }
+  });
 }
 
 }  // namespace posture

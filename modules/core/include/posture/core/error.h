@@ -20,4 +20,16 @@ inline void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument(message);
 }
 
+/// What work on a file or shape gives; what it throws begins with the name.
+template <class Work>
+auto naming(const std::string& name, const Work& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(name + " " + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(name + " " + error.what());
+  }
+}
+
 }  // namespace posture

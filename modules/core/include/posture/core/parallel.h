@@ -27,6 +27,12 @@ void parallelFor(int count, const Body& body) {
     if (failure) std::rethrow_exception(failure);
 }
 
+/// Calls one() and other(), at once where there are two threads.
+template <class One, class Other>
+void inParallel(const One& one, const Other& other) {
+  parallelFor(2, [&](int which) { which == 0 ? one() : other(); });
+}
+
 /// Calls body(first, last) for consecutive ranges of 0 .. count - 1, spread over the threads.
 template <class Body>
 void forBlocks(int count, int block, const Body& body) {

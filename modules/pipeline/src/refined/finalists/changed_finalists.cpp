@@ -88,9 +88,9 @@ struct Changed {
   bool is_known = false;  ///< the answer of another finalist, in a better state
 };
 
-/// Does work that bends surfaces; none where they are too torn to be bent.
+/// What work that bends surfaces gives, an optional; none where they are too torn to be bent.
 template <class Work>
-auto ifBendable(const Work& work) -> std::optional<decltype(work())> {
+auto ifBendable(const Work& work) -> decltype(work()) {
   try {
     return work();
   } catch (const TornSurface&) {
@@ -110,13 +110,12 @@ std::vector<Finalist> withBestOf(const SpectralSurface& source,
   std::vector<std::optional<Finalist>> better(changed.size());
   parallelFor(static_cast<int>(changed.size()), [&](int i) {
     const Changed& one = changed[i];
-    better[i] =
-        ifBendable([&] {
-          BentPair pair = one.pair;
-          std::optional<MapScore> less;
-          if (!one.is_known) less = letGo(source, target, softness, SCORE_NOISE, pair);
-          return withMap(source, target, std::move(pair), less.value_or(one.score), one.from);
-        }).value_or(std::nullopt);
+    better[i] = ifBendable([&] {
+      BentPair pair = one.pair;
+      std::optional<MapScore> less;
+      if (!one.is_known) less = letGo(source, target, softness, SCORE_NOISE, pair);
+      return withMap(source, target, std::move(pair), less.value_or(one.score), one.from);
+    });
   });
   return joined(std::move(better), std::move(finalists));
 }
@@ -134,16 +133,15 @@ std::vector<Finalist> withPartsLetGo(const SpectralSurface& source,
   const double softness = settlingSoftness(source, target);
   std::vector<std::optional<Finalist>> loose(tried.size());
   parallelFor(static_cast<int>(tried.size()), [&](int i) {
-    loose[i] =
-        ifBendable([&]() -> std::optional<Finalist> {
-          BentPair pair = bentPair(source, target, softness, tried[i]);
-          const BentPair before = pair;
-          const std::optional<MapScore> score = letGo(source, target, softness, SCORE_NOISE, pair);
-          if (!score || score->total() >=
-                            scoreToBeat(source, target, softness, tried[i], before) - SCORE_NOISE)
-            return std::nullopt;
-          return withMap(source, target, std::move(pair), *score, tried[i]);
-        }).value_or(std::nullopt);
+    loose[i] = ifBendable([&]() -> std::optional<Finalist> {
+      BentPair pair = bentPair(source, target, softness, tried[i]);
+      const BentPair before = pair;
+      const std::optional<MapScore> score = letGo(source, target, softness, SCORE_NOISE, pair);
+      if (!score ||
+          score->total() >= scoreToBeat(source, target, softness, tried[i], before) - SCORE_NOISE)
+        return std::nullopt;
+      return withMap(source, target, std::move(pair), *score, tried[i]);
+    });
   });
   return joined(std::move(loose), std::move(finalists));
 }
@@ -166,7 +164,7 @@ std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
   std::vector<std::optional<Begun>> tried(
       std::min(MOST_GROWN_FROM, static_cast<std::size_t>(near)));
   parallelFor(static_cast<int>(tried.size()), [&](int k) {
-    tried[k] = ifBendable([&] {
+    tried[k] = ifBendable([&]() -> std::optional<Begun> {
       const Finalist& finalist = finalists[distinct[k]];
       const BentPair pair = bentPair(source, target, softness, finalist);
       return Begun{&finalist, pair, scoreToBeat(source, target, softness, finalist, pair)};
@@ -234,13 +232,12 @@ std::vector<Finalist> withTurned(const SpectralSurface& source,
   }
   std::vector<std::optional<Changed>> settled(composed_ones.size());
   parallelFor(static_cast<int>(settled.size()), [&](int i) {
-    try {
+    settled[i] = ifBendable([&]() -> std::optional<Changed> {
       BentPair pair = bentPair(source, target, softness, composed_ones[i]);
       settle(source, target, softness, SETTLING_ROUNDS, pair);
       const MapScore score = scoreBent(source, target, pair, false);
-      settled[i] = Changed{composed_ones[i], std::move(pair), score, false};
-    } catch (const TornSurface&) {
-    }
+      return Changed{composed_ones[i], std::move(pair), score, false};
+    });
   });
   std::vector<Changed> turned;
   for (std::optional<Changed>& one : settled) {

@@ -101,12 +101,10 @@ void reduceSide(const std::string& side, int others, RefinedShape& shape) {
 
 void addSpectrum(const std::string& side, RefinedShape& shape) {
   const int n = static_cast<int>(shape.work.mesh.vertices.rows());
-  try {
+  naming(side, [&] {
     shape.basis = spectralBasis(cotangentLaplacian(shape.work.mesh),
                                 std::min(FUNCTIONS, n / VERTICES_PER_FUNCTION));
-  } catch (const InputError& error) {
-    throw InputError(side + " " + error.what());
-  }
+  });
 }
 
 void addSamples(const std::string& side, RefinedShape& shape) {
