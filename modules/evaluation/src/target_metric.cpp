@@ -6,6 +6,9 @@
 #include <posture/mesh/areas.h>
 #include <posture/mesh/denoise.h>
 #include <posture/mesh/position_of.h>
+#include <posture/mesh/require_mesh.h>
+#include <posture/mesh/seams.h>
+#include <posture/mesh/spikes.h>
 
 #include <algorithm>
 #include <numeric>

@@ -4,6 +4,7 @@
 #include <posture/mesh/edges.h>
 #include <posture/refine/grow_anew.h>
 #include <posture/refine/let_go.h>
+#include <posture/refine/settle.h>
 
 #include "far_apart.h"
 #include "lay_anew.h"

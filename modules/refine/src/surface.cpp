@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
 #include <posture/refine/surface.h>
 

@@ -5,6 +5,7 @@
 #include <posture/core/error.h>
 #include <posture/embedding/canonical_form.h>
 #include <posture/geodesic/landmarks.h>
+#include <posture/mesh/areas.h>
 #include <posture/refine/tip_maps.h>
 
 #include "sides/given_shape.h"
