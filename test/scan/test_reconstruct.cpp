@@ -16,6 +16,9 @@
 #include <limits>
 #include <numeric>
 #include <omp.h>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -233,29 +236,42 @@ TEST(Reconstruct, survivesOutliersAndNoise) {
 }
 
 TEST(Reconstruct, looksAtTheSensorOfAView) {
-  // A bowl seen from inside, in the order of a depth image; the hidden half is missing.
+  // A bowl seen from inside by a camera at the origin that looks along +z: x to the right, y down.
   constexpr int WIDTH = 60;
-  PointCloud view;
-  view.points = Points::Constant(WIDTH * WIDTH, 3, NOTHING);
+  const Eigen::RowVector3d center(0, 0, 3);
+  Points seen = Points::Constant(WIDTH * WIDTH, 3, NOTHING);
   for (int row = 0; row < WIDTH; ++row)
     for (int column = 0; column < WIDTH; ++column) {
-      const double x = (column - 29.5) / 30, y = (row - 29.5) / 30, r = x * x + y * y;
-      // The camera looks along +z: x to the right, y down.
-      if (r < 0.8) view.points.row(WIDTH * row + column) << x, y, 3 + std::sqrt(1 - r);
+      const Eigen::RowVector3d ray(0.01 * (column - 29.5), 0.01 * (row - 29.5), 1);
+      const double along = ray.dot(center), a = ray.squaredNorm();
+      const double within = along * along - a * (center.squaredNorm() - 1);
+      if (within > 0.2) seen.row(WIDTH * row + column) = (along + std::sqrt(within)) / a * ray;
     }
-  for (const std::string known : {"the sensor", "the grid", "the grid, as the sensor cannot be"}) {
-    view.width = known == "the sensor" ? 0 : WIDTH;
-    view.sensor.reset();
-    if (known == "the sensor") view.sensor = Eigen::Vector3d::Zero();
-    // Where the origin is once the points were moved into their middle.
-    if (known == "the grid, as the sensor cannot be") view.sensor = Eigen::Vector3d(0, 0, 3.75);
-    SCOPED_TRACE(known);
+  struct Case {
+    std::string known;
+    int width;
+    std::optional<Eigen::Vector3d> sensor;
+  };
+  const std::vector<Case> cases{
+      {"the sensor", 0, Eigen::Vector3d(0, 0, 0)},
+      {"the sensor of an image", WIDTH, Eigen::Vector3d(0, 0, 0)},
+      {"the grid", WIDTH, {}},
+      // Where the origin is once the points were moved.
+      {"the grid, as the sensor is among the points", WIDTH, Eigen::Vector3d(0, 0, 3.75)},
+      {"the grid, as the sensor is behind what it saw", WIDTH, Eigen::Vector3d(0, 0, 8)},
+      {"the grid, as the sensor is beside what it saw", WIDTH, Eigen::Vector3d(5, 0, 3)}};
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.known);
+    PointCloud view;
+    view.points = seen;
+    view.width = c.width;
+    view.sensor = c.sensor;
     const ScanSurface surface = reconstruct(view);
     EXPECT_TRUE(surface.summary.oriented_by_sensor);
     EXPECT_EQ(surface.summary.boundary_loops, 1);
     const Points normals = vertexNormals(surface.mesh);
     for (int v = 0; v < normals.rows(); ++v)
-      EXPECT_LT(normals.row(v).dot(surface.mesh.vertices.row(v)), 0);
+      EXPECT_LT(normals.row(v).dot(surface.mesh.vertices.row(v) - center), 0);
   }
 }
 

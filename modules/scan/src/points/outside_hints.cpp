@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "points/outside_hints.h"
 
+#include <posture/core/median.h>
+
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace posture {
 namespace {
@@ -46,26 +50,38 @@ bool isAmong(const Eigen::Vector3d& place, const Points& points, const std::vect
   return sum.norm() < HALF_SPACE * static_cast<double>(rows.size());
 }
 
-/// Whether the points of a grid are seen from a place as pixels are, each beside the next: the
-/// angle between neighbours is then about the same all over, however near or far they are. Images
-/// of 60 degrees have steps up to 1.2 times the usual one, from other places they jump with the
-/// distance.
-bool isEye(const Eigen::Vector3d& place, const PointCloud& cloud) {
-  constexpr double UNEVEN = 1.7;
-  constexpr double MOST = 0.9;
-  constexpr std::size_t ENOUGH = 8;
-  std::vector<double> steps;
-  const auto towards = [&](Eigen::Index cell) {
-    return unitOrZero(cloud.points.row(cell) - place.transpose());
-  };
-  for (Eigen::Index cell = 1; cell < cloud.points.rows(); ++cell)
-    if (cell % cloud.width != 0 && cloud.points.row(cell - 1).allFinite() &&
-        cloud.points.row(cell).allFinite())
-      steps.push_back((towards(cell) - towards(cell - 1)).norm());
-  if (steps.size() < ENOUGH) return true;
-  std::sort(steps.begin(), steps.end());
-  const auto most = static_cast<std::size_t>(MOST * static_cast<double>(steps.size()));
-  return steps[most] <= UNEVEN * steps[steps.size() / 2];
+/// Whether a depth image was taken from a place: its rows then lie in planes through it, to a
+/// fraction of a pixel and however noisy the depths are. From where an image that was moved did not
+/// stand, rows bend with the distance.
+bool isEye(const Eigen::Vector3d& place, const PointCloud& image) {
+  constexpr std::size_t ENOUGH = 8;  // points of a row
+  constexpr double FRACTION = 0.25;  // of a pixel
+  const Eigen::Index width = image.width, rows = image.points.rows() / width;
+  std::vector<double> bent;  // by how many pixels, a row
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    std::vector<double> steps;
+    Eigen::RowVector3d before = Eigen::RowVector3d::Zero();
+    std::size_t seen = 0;
+    for (Eigen::Index cell = row * width; cell < (row + 1) * width; ++cell) {
+      const Eigen::RowVector3d way = image.points.row(cell).allFinite()
+                                         ? unitOrZero(image.points.row(cell) - place.transpose())
+                                         : Eigen::RowVector3d::Zero();
+      if (!way.isZero()) {
+        moments += way.transpose() * way;
+        ++seen;
+        if (!before.isZero()) steps.push_back((way - before).norm());
+      }
+      before = way;
+    }
+    if (steps.size() < ENOUGH) continue;
+    const double step = median(std::move(steps));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
+    const double off =
+        std::sqrt(std::max(0.0, solver.eigenvalues()[0]) / static_cast<double>(seen));
+    if (step > 0) bent.push_back(off / step);
+  }
+  return bent.empty() || median(std::move(bent)) < FRACTION;
 }
 
 /// Whether a scanner may have stood where the cloud says.
