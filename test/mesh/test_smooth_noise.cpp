@@ -9,6 +9,7 @@
 #include "support/shapes.h"
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -36,6 +37,39 @@ TEST(SmoothNoise, leavesBodiesAsTheyAre) {
     const Points before = mesh.vertices;
     EXPECT_EQ(smoothNoise(mesh), 0);
     EXPECT_EQ(mesh.vertices, before);
+  }
+}
+
+/// A profile of radii and heights, turned about the z axis.
+TriangleMesh turned(const std::vector<std::pair<double, double>>& profile, int around) {
+  const int rings = static_cast<int>(profile.size());
+  TriangleMesh mesh{Points(rings * around, 3), Faces(2 * (rings - 1) * around, 3)};
+  for (int i = 0; i < rings; ++i)
+    for (int k = 0; k < around; ++k) {
+      const double angle = 2 * M_PI * k / around;
+      mesh.vertices.row(i * around + k) << profile[i].first * std::cos(angle),
+          profile[i].first * std::sin(angle), profile[i].second;
+    }
+  for (int i = 0; i + 1 < rings; ++i)
+    for (int k = 0; k < around; ++k) {
+      const int a = i * around + k, b = i * around + (k + 1) % around;
+      mesh.faces.row(2 * (i * around + k)) << a, b, b + around;
+      mesh.faces.row(2 * (i * around + k) + 1) << a, b + around, a + around;
+    }
+  return mesh;
+}
+
+TEST(SmoothNoise, leavesWhatHasSharpEdgesAllOver) {
+  const std::vector<std::pair<double, double>> pawn{
+      {1, 0}, {1, 0.3}, {0.4, 0.6}, {0.3, 2}, {0.6, 2.1}, {0.3, 2.3}, {0.5, 2.6}, {0.3, 3}};
+  for (int around : {12, 24, 64}) {
+    SCOPED_TRACE(around);
+    TriangleMesh mesh = turned(pawn, around);
+    const Points before = mesh.vertices;
+    EXPECT_EQ(smoothNoise(mesh), 0);
+    EXPECT_EQ(mesh.vertices, before);
+    TriangleMesh rough = noisy(mesh, 0.5);
+    EXPECT_GE(smoothNoise(rough), 1);
   }
 }
 
