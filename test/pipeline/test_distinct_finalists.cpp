@@ -20,12 +20,12 @@ TEST_F(DistinctFinalists, finalistsThatLeadToNearlyTheSamePlaceAreOne) {
   EXPECT_EQ(distinctFinalists(finalists, strip_, 0.07), (Answers{0, 1, 3, 4, 5, 7}));
 }
 
-TEST_F(DistinctFinalists, theOneThatWinsIsAmongTheForemost) {
+TEST_F(DistinctFinalists, allThatWereRefinedAreAmongTheForemost) {
   const Answers distinct{0, 1, 3, 4, 5, 7};
-  EXPECT_EQ(foremost(distinct, 1, 4), (Answers{0, 1, 3, 4}));
-  EXPECT_EQ(foremost(distinct, 4, 4), (Answers{0, 1, 3, 4}));
-  EXPECT_EQ(foremost(distinct, 7, 4), (Answers{0, 1, 3, 7}));
-  EXPECT_EQ(foremost(distinct, 7, 9), distinct);
+  EXPECT_EQ(foremost(distinct, {0}, 4), (Answers{0, 1, 3, 4}));
+  EXPECT_EQ(foremost(distinct, {0, 1, 7}, 4), (Answers{0, 1, 3, 7}));
+  EXPECT_EQ(foremost(distinct, {0, 1, 3, 4, 7}, 4), (Answers{0, 1, 3, 4, 7}));
+  EXPECT_EQ(foremost(distinct, {0}, 9), distinct);
 }
 
 TEST_F(DistinctFinalists, anotherAnswerIsRefinedWhereScoresDoNotDecide) {

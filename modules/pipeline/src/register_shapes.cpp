@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/mesh/corners.h>
 #include <posture/pipeline/register_shapes.h>
 
 #include "answer/attempt.h"
@@ -32,6 +33,21 @@ namespace {
 /// give so much more.
 constexpr double NEARLY_ALL = 0.9, CLEARLY_MORE = 0.05;
 
+/// The share of the source's surface that has a counterpart, by vertices: those of a background are
+/// in no face.
+double mappedOfSurface(const GivenShape& source, const RegistrationResult& result) {
+  const std::vector<SurfacePoint>& on_target = result.correspondence.on_target;
+  const std::vector<char> is_corner =
+      cornersOfFaces(source.input.faces, static_cast<int>(on_target.size()));
+  double all = 0, mapped = 0;
+  for (std::size_t v = 0; v < on_target.size(); ++v) {
+    if (is_corner[v] == 0) continue;
+    ++all;
+    mapped += on_target[v].vertex >= 0;
+  }
+  return all > 0 ? mapped / all : 0;
+}
+
 RegistrationResult registerMeshes(const GivenShape& source,
                                   const GivenShape& target,
                                   const RegistrationOptions& options,
@@ -39,7 +55,7 @@ RegistrationResult registerMeshes(const GivenShape& source,
   if (options.method == Method::PAPER) return publishedMethod(source, target, clock);
 
   RegistrationResult main = registerWhole(source, target, options, clock);
-  const double mapped = mappedShare(main);
+  const double mapped = mappedOfSurface(source, main);
   std::optional<RegistrationResult> joined;
   if (!looksAlike(main) || mapped < NEARLY_ALL || isInPieces(source.clean) ||
       isInPieces(target.clean))
@@ -47,7 +63,7 @@ RegistrationResult registerMeshes(const GivenShape& source,
   const bool is_same = joined && isSameAnswer(main, *joined, target.input);
   if (is_same) payForHands(handsByBoth(*joined, main, target.input), *joined);
   if (is_same && joined->status == Status::REGISTERED && joined->hands <= main.hands &&
-      !leadsAstray(main, *joined) && mappedShare(*joined) > mapped + CLEARLY_MORE)
+      !leadsAstray(main, *joined) && mappedOfSurface(source, *joined) > mapped + CLEARLY_MORE)
     return std::move(*joined);
   std::vector<Attempt> attempts;
   attempts.push_back({std::move(main), {}});

@@ -84,6 +84,9 @@ Attempt ofWhole(Attempt attempt,
         result.source = withPart(source, result.source, source_rest);
         result.target = withPart(target, result.target, target_rest);
         dropRows(source_rest, target_rest, result.correspondence);
+        for (AlternativeSummary& other : result.alternatives)
+          for (std::size_t v = 0; v < other.target_vertex.size(); ++v)
+            if (source_rest[v] != 0) other.target_vertex[v] = -1;
         if (result.back) dropRows(target_rest, source_rest, result.back->correspondence);
       });
 }

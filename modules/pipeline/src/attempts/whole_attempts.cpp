@@ -23,7 +23,7 @@ double scoreApartFromHands(const Attempt& attempt) {
 }
 
 GivenShape cutOpen(const GivenShape& shape, const PartedSurface& parted) {
-  return {shape.input, parted.clean, shape.patch_vertices};
+  return {shape.input, parted.clean, shape.patch_vertices, shape.is_patched};
 }
 
 /// Makes a result found on surfaces cut open one of the whole: summaries of all of it, and how many
@@ -99,17 +99,21 @@ std::optional<Attempt> wholeAttempt(const GivenShape& source,
                                     StageClock& clock) {
   const bool any = parted.any();
   const double portion = clock.label().portion;
-  const BegunAttempt whole = clock.within({"", any ? portion / 2 : portion}, [&] {
-    return beginAttempt(source, target, options, clock);
-  });
-  if (!any) return whole.goOn({known, true});
+  const auto begin = [&] {
+    return clock.within({"", any ? portion / 2 : portion},
+                        [&] { return beginAttempt(source, target, options, clock); });
+  };
+  if (!any) return begin().goOn({known, true});
+  const std::optional<BegunAttempt> whole = clock.tryTo(begin);
   const std::optional<BegunAttempt> cut = clock.tryAttempt("parted", portion / 2, [&] {
     return withChange(
         beginAttempt(
             cutOpen(source, parted.source), cutOpen(target, parted.target), options, clock),
         ofParted(source, target, parted));
   });
-  return cut ? betterOf(whole, *cut, known, clock) : whole.goOn({known});
+  if (!whole && !cut) throw TornSurface("neither surface can be bent onto the other");
+  if (!whole || !cut) return (whole ? whole : cut)->goOn({known});
+  return betterOf(*whole, *cut, known, clock);
 }
 
 Attempt patchedAttempt(const GivenShape& source,

@@ -14,13 +14,15 @@
 #include "refined/work/refined_shape.h"
 #include "sides/parts_like.h"
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
 namespace posture {
 namespace {
 
-constexpr std::size_t MOST_ALTERNATIVES = 4;
+/// Where there are as many: the answers that were refined, and the best of the others.
+constexpr std::size_t LEAST_ALTERNATIVES = 4;
 
 /// What refining finalists takes of the time of a run.
 constexpr double REFINEMENT = 0.14;
@@ -48,7 +50,7 @@ ShapeSummary summarize(const GivenShape& given, const RefinedShape& shape) {
 /// Whether a side may lack what the other one has.
 bool mayLack(const PosedSide& source, const PosedSide& target) {
   const auto open = [](const PosedSide& side) {
-    return side.given.patch_vertices > 0 || mayBePiece(side.ordered);
+    return side.given.is_patched || mayBePiece(side.ordered);
   };
   return open(source) || open(target);
 }
@@ -127,8 +129,12 @@ void chooseAmong(const FirstMaps& first_maps, std::vector<Finalist> found, Stage
     const RefinedAnswers refined_answers(
         refined, finalists, distinct, target_coarse.mesh, target.shape.work.mesh, gap);
     chosen.best = refined.front();
-    const std::vector<int> answers =
-        foremost(refined_answers.remaining(), refined_answers.chosen(), MOST_ALTERNATIVES);
+    const std::vector<int>& remaining = refined_answers.remaining();
+    std::vector<int> compared;  // on the work meshes: these are what trust is told by
+    std::copy_if(remaining.begin(), remaining.end(), std::back_inserter(compared), [&](int answer) {
+      return refined_answers.of(answer) != nullptr;
+    });
+    const std::vector<int> answers = foremost(remaining, compared, LEAST_ALTERNATIVES);
     source.pose.unit *= chosen.best.scale;  // its shape stays: other answers have other scales
     result.scale = source.pose.unit / target.pose.unit;
     result.alternatives =

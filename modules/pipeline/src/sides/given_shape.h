@@ -16,7 +16,8 @@ namespace posture {
 struct GivenShape {
   const TriangleMesh& input;
   const CleanMesh& clean;
-  int patch_vertices = 0;  ///< the last so many of the input belong to patches
+  int patch_vertices = 0;   ///< the last so many of the input belong to patches
+  bool is_patched = false;  ///< holes were closed; those of three edges by a face alone
 
   int ownVertices() const { return static_cast<int>(input.vertices.rows()) - patch_vertices; }
 

@@ -19,7 +19,7 @@ struct PatchedShape {
   int joined_pieces = 0;    ///< to the main surface
   int parted_contacts = 0;  ///< cut open before holes were patched
 
-  GivenShape given() const { return {input, clean, patch_vertices}; }
+  GivenShape given() const { return {input, clean, patch_vertices, patched_holes > 0}; }
 };
 
 /// With holes closed where the surface goes on across them (patchHoles()).

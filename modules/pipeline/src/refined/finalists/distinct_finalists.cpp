@@ -28,11 +28,16 @@ bool isAllButCertain(const std::vector<Finalist>& finalists, const std::vector<i
   return trustIn(score(0), margin) >= ALL_BUT_CERTAIN;
 }
 
-std::vector<int> foremost(const std::vector<int>& answers, int chosen, std::size_t most) {
-  std::vector<int> first(
-      answers.begin(),
-      answers.begin() + static_cast<std::ptrdiff_t>(std::min(most, answers.size())));
-  if (std::find(first.begin(), first.end(), chosen) == first.end()) first.back() = chosen;
+std::vector<int> foremost(const std::vector<int>& answers,
+                          const std::vector<int>& kept,
+                          std::size_t most) {
+  std::size_t room = most - std::min(most, kept.size());
+  std::vector<int> first;
+  for (int answer : answers) {
+    const bool is_kept = std::find(kept.begin(), kept.end(), answer) != kept.end();
+    if (is_kept || room > 0) first.push_back(answer);
+    if (!is_kept && room > 0) --room;
+  }
   return first;
 }
 

@@ -18,8 +18,11 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
 /// be matched as well. \pre  there is one.
 bool isAllButCertain(const std::vector<Finalist>& finalists, const std::vector<int>& distinct);
 
-/// The first `most` answers, but always the chosen one. \pre  it is one of them, and `most` > 0.
-std::vector<int> foremost(const std::vector<int>& answers, int chosen, std::size_t most);
+/// In their order those of the answers that are kept, and the first others if there are fewer than
+/// `most`.
+std::vector<int> foremost(const std::vector<int>& answers,
+                          const std::vector<int>& kept,
+                          std::size_t most);
 
 /// Those worth refining: the first one, the best of other answers whose scores are too near to
 /// decide, and one that was laid if there is any, also of the same answer.

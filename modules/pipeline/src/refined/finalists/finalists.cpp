@@ -119,15 +119,20 @@ std::vector<Finalist> layFinalists(const SpectralSurface& source,
   parallelFor(static_cast<int>(ways.size()), [&](int i) {
     const Similarity& way = ways[i];
     Finalist& finalist = laid[i];
+    finalist.orientation = -1;
     finalist.laid = true;
     finalist.scale = way.scale;
     const SpectralSurface scaled({way.scale * source.mesh.vertices, source.mesh.faces},
                                  source.functions.cast<double>() / way.scale,
                                  source.eigenvalues / (way.scale * way.scale));
-    finalist.bent = conform(scaled,
-                            target,
-                            way.of(source.mesh.vertices),
-                            way.scale * way.inverseOf(target.mesh.vertices));
+    try {
+      finalist.bent = conform(scaled,
+                              target,
+                              way.of(source.mesh.vertices),
+                              way.scale * way.inverseOf(target.mesh.vertices));
+    } catch (const TornSurface&) {  // the others may be bent
+      return;
+    }
     finalist.maps = finalist.bent->maps;
     finalist.orientation = orientation(scaled, target, finalist.maps);
     finalist.score = scoreBent(scaled, target, *finalist.bent, true);

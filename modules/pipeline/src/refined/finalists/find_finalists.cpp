@@ -205,7 +205,7 @@ std::optional<std::vector<Finalist>> findFinalists(const CoarseSides& sides,
     if (search.knownSuffices()) return std::nullopt;
     // With holes closed the map is wanted for what it does not lose.
     const bool as_given =
-        sides.source_side.given.patch_vertices == 0 && sides.target_side.given.patch_vertices == 0;
+        !sides.source_side.given.is_patched && !sides.target_side.given.is_patched;
     if (as_given && !search.confirmsKnown()) {
       search.growAnew();
       search.turn();

@@ -9,7 +9,7 @@ namespace posture {
 PosedSide::PosedSide(const GivenShape& cleaned)
     : pose(poseOf(cleaned.clean.mesh)),
       ordered(inOrder(cleaned.clean, pose)),
-      given{cleaned.input, ordered, cleaned.patch_vertices} {}
+      given{cleaned.input, ordered, cleaned.patch_vertices, cleaned.is_patched} {}
 
 void PosedSide::scale(double ratio) {
   shape = rescaled(std::move(shape), ratio);
