@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
+#include <vector>
 
 namespace posture {
 namespace {
@@ -33,6 +34,7 @@ TEST(DenseMap, ofAShapeToItselfIsTheIdentity) {
   const EmbeddedShape strip = embed(test::bentStrip(30, 8, 4, 1, 1));
   const Candidate candidate = identityCandidate(strip);
   const DenseMap map = computeDenseMap(strip, strip, candidate, everyMatch(candidate), 0.5);
+  ASSERT_EQ(map.target_vertex.size(), 31 * 9);
   for (std::size_t v = 0; v < map.target_vertex.size(); ++v) {
     EXPECT_EQ(map.target_vertex[v], v);
     EXPECT_NEAR(map.confidence[v], 1, 1e-6);
@@ -55,7 +57,7 @@ TEST(DenseMap, rejectsWhatTheMatchesDoNotAgreeWith) {
 TEST(DenseMap, withoutMatchesMapsNothing) {
   const EmbeddedShape strip = embed(test::bentStrip(20, 6, 3, 1, 1));
   const DenseMap map = computeDenseMap(strip, strip, {}, {}, 0.5);
-  for (int t : map.target_vertex) EXPECT_EQ(t, -1);
+  EXPECT_EQ(map.target_vertex, std::vector<int>(21 * 7, -1));
 }
 
 }  // namespace

@@ -35,11 +35,12 @@ TEST(AlignmentCandidates, oneOfThemUndoesAnyReflection) {
 }
 
 TEST(AlignmentCandidates, leaveSamplesOverWhereTheSidesDiffer) {
-  const Points many = Points::Random(30, 3);
-  for (const Candidate& c : alignmentCandidates(formOf(many), formOf(many.topRows(20))))
-    EXPECT_EQ(c.matches.size(), 20);
-  for (const Candidate& c : alignmentCandidates(formOf(many.topRows(20)), formOf(many)))
-    EXPECT_EQ(c.matches.size(), 20);
+  const Points many = Points::Random(30, 3), few = many.topRows(20);
+  for (const auto& candidates : {alignmentCandidates(formOf(many), formOf(few)),
+                                 alignmentCandidates(formOf(few), formOf(many))}) {
+    ASSERT_EQ(candidates.size(), 8);
+    for (const Candidate& c : candidates) EXPECT_EQ(c.matches.size(), 20);
+  }
 }
 
 }  // namespace

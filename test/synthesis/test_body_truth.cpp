@@ -6,6 +6,7 @@
 #include "support/bodies.h"
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -45,7 +46,10 @@ TEST(GroundTruth, ofAnotherTessellationIsWithinAnEdge) {
 TEST(GroundTruth, isTheNearestVertexByRestPlace) {
   const ArticulatedBody source = makeBody(bodyOptions(BodyKind::QUADRUPED, 0, 0, 1000));
   const ArticulatedBody target = makeBody(bodyOptions(BodyKind::QUADRUPED, 2, 5, 2000));
-  for (const VertexPair& pair : groundTruth(source, target)) {
+  const std::vector<VertexPair> truth = groundTruth(source, target);
+  EXPECT_GT(static_cast<double>(truth.size()),
+            0.99 * static_cast<double>(source.mesh.vertices.rows()));
+  for (const VertexPair& pair : truth) {
     int nearest = -1;
     (target.rest_position.rowwise() - source.rest_position.row(pair.source))
         .rowwise()
