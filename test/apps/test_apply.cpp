@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 const std::string POSTURE = std::string(PROGRAM_DIR) + "/posture";
 
-ArticulatedBody body(int pose) { return test::body(pose, 1000); }
+const ArticulatedBody& body(int pose) { return test::body(pose, 1000); }
 
 /// Results of register for a mesh, for the same body as a cloud, and for a noisy mesh of it.
 class Apply : public testing::Test {

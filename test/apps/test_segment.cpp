@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 
 const std::string POSTURE = std::string(PROGRAM_DIR) + "/posture";
 
-ArticulatedBody body(int pose, int vertices = 1000) { return test::body(pose, vertices); }
+const ArticulatedBody& body(int pose, int vertices = 1000) { return test::body(pose, vertices); }
 
 std::vector<int> readParts(const fs::path& path) {
   std::istringstream rows(test::bytesOf(path));

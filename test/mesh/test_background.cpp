@@ -52,8 +52,8 @@ TriangleMesh standingOn(const TriangleMesh& floor, TriangleMesh body) {
   return joined(body, floor);
 }
 
-TriangleMesh person(int pose) { return test::body(pose, 1500, 0, BodyKind::HUMAN).mesh; }
-TriangleMesh animal(int pose) { return test::body(pose, 1500).mesh; }
+const TriangleMesh& person(int pose) { return test::body(pose, 1500, 0, BodyKind::HUMAN).mesh; }
+const TriangleMesh& animal(int pose) { return test::body(pose, 1500).mesh; }
 
 int count(const TriangleMesh& mesh) {
   const std::vector<char> background = backgroundFaces(mesh);

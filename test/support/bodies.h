@@ -4,6 +4,9 @@
 
 #include <posture/synthesis/articulated_body.h>
 
+#include <map>
+#include <tuple>
+
 namespace posture::test {
 
 inline BodyOptions bodyOptions(BodyKind kind,
@@ -18,16 +21,20 @@ inline BodyOptions bodyOptions(BodyKind kind,
   return options;
 }
 
-inline ArticulatedBody body(int pose,
-                            int vertices,
-                            int tessellation = 0,
-                            BodyKind kind = BodyKind::QUADRUPED) {
-  return makeBody(bodyOptions(kind, pose, tessellation, vertices));
+/// Each is made once.
+inline const ArticulatedBody& body(int pose,
+                                   int vertices,
+                                   int tessellation = 0,
+                                   BodyKind kind = BodyKind::QUADRUPED) {
+  static std::map<std::tuple<BodyKind, int, int, int>, ArticulatedBody> made;
+  const auto [entry, is_new] = made.try_emplace({kind, pose, tessellation, vertices});
+  if (is_new) entry->second = makeBody(bodyOptions(kind, pose, tessellation, vertices));
+  return entry->second;
 }
 
 /// A person of about 2,500 vertices.
-inline ArticulatedBody person(int pose, int tessellation = 0) {
-  return makeBody(bodyOptions(BodyKind::HUMAN, pose, tessellation));
+inline const ArticulatedBody& person(int pose, int tessellation = 0) {
+  return body(pose, 2500, tessellation, BodyKind::HUMAN);
 }
 
 }  // namespace posture::test

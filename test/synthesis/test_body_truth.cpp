@@ -15,8 +15,7 @@ using namespace test;
 
 TEST(GroundTruth, isTheIdentityOnOneTessellation) {
   for (BodyKind kind : {BodyKind::QUADRUPED, BodyKind::HUMAN}) {
-    const ArticulatedBody source = makeBody(bodyOptions(kind, 0)),
-                          target = makeBody(bodyOptions(kind, 7));
+    const ArticulatedBody &source = body(0, 2500, 0, kind), &target = body(7, 2500, 0, kind);
     const std::vector<VertexPair> truth = groundTruth(source, target);
     ASSERT_EQ(static_cast<Eigen::Index>(truth.size()), source.mesh.vertices.rows());
     for (const VertexPair& pair : truth) ASSERT_EQ(pair.source, pair.target);
@@ -25,8 +24,7 @@ TEST(GroundTruth, isTheIdentityOnOneTessellation) {
 
 TEST(GroundTruth, ofAnotherTessellationIsWithinAnEdge) {
   for (BodyKind kind : {BodyKind::QUADRUPED, BodyKind::HUMAN}) {
-    const ArticulatedBody source = makeBody(bodyOptions(kind, 0)),
-                          target = makeBody(bodyOptions(kind, 3, 1));
+    const ArticulatedBody &source = body(0, 2500, 0, kind), &target = body(3, 2500, 1, kind);
     const std::vector<VertexPair> truth = groundTruth(source, target);
     EXPECT_GT(static_cast<double>(truth.size()),
               0.995 * static_cast<double>(source.mesh.vertices.rows()));
@@ -60,7 +58,7 @@ TEST(GroundTruth, isTheNearestVertexByRestPlace) {
 }
 
 TEST(GroundTruth, leavesOutWhatTheTargetLacks) {
-  const ArticulatedBody source = makeBody(bodyOptions(BodyKind::HUMAN));
+  const ArticulatedBody& source = person(0);
   BodyOptions options = bodyOptions(BodyKind::HUMAN, 2);
   options.holes = 4;
   options.hole_radius = 0.06;
@@ -74,7 +72,7 @@ TEST(GroundTruth, leavesOutWhatTheTargetLacks) {
 
 TEST(MirrorTruth, takesLeftForRight) {
   for (BodyKind kind : {BodyKind::QUADRUPED, BodyKind::HUMAN}) {
-    const ArticulatedBody body = makeBody(bodyOptions(kind));
+    const ArticulatedBody& body = test::body(0, 2500, 0, kind);
     const std::vector<VertexPair> mirror = mirrorTruth(body, body);
     EXPECT_GT(static_cast<double>(mirror.size()),
               0.98 * static_cast<double>(body.mesh.vertices.rows()));
@@ -102,8 +100,7 @@ TEST(MirrorTruth, takesLeftForRight) {
 }
 
 TEST(GroundTruth, needsATargetWithFaces) {
-  EXPECT_THROW(groundTruth(makeBody(bodyOptions(BodyKind::HUMAN)), ArticulatedBody()),
-               std::invalid_argument);
+  EXPECT_THROW(groundTruth(person(0), ArticulatedBody()), std::invalid_argument);
 }
 
 }  // namespace
