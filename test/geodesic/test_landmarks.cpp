@@ -13,6 +13,17 @@
 namespace posture {
 namespace {
 
+/// All samples of a sphere, computed once.
+struct SampledSphere {
+  TriangleMesh mesh = test::sphere(3);
+  Landmarks landmarks = computeLandmarks(mesh, FastMarching(mesh));
+};
+
+const SampledSphere& sampledSphere() {
+  static const SampledSphere once;
+  return once;
+}
+
 TEST(VoronoiSamples, coverTheSurfaceAndKeepApart) {
   const TriangleMesh sphere = test::sphere(4);
   const FastMarching marching(sphere);
@@ -108,28 +119,26 @@ TEST(VoronoiSamples, areAllVerticesInAFaceWhenNoSpacingIsAskedFor) {
 }
 
 TEST(VoronoiSamples, eachVertexKnowsTheSampleNearestToIt) {
-  const TriangleMesh sphere = test::sphere(3);
-  const Landmarks landmarks = computeLandmarks(sphere, FastMarching(sphere));
+  const auto& [sphere, landmarks] = sampledSphere();
+  const double slack = 0.2 * meanEdgeLength(sphere);
   for (int v = 0; v < sphere.vertices.rows(); ++v) {
     const float least = landmarks.distances.col(v).minCoeff();
-    EXPECT_NEAR(landmarks.distances(landmarks.nearest[v], v), least, 0.2 * meanEdgeLength(sphere));
+    EXPECT_NEAR(landmarks.distances(landmarks.nearest[v], v), least, slack);
   }
 }
 
 TEST(Landmarks, distancesAreNearlySymmetric) {
-  const TriangleMesh sphere = test::sphere(3);
-  const Landmarks landmarks = computeLandmarks(sphere, FastMarching(sphere));
+  const auto& [sphere, landmarks] = sampledSphere();
   const Matrix mean = sampleDistances(landmarks);
   EXPECT_EQ((mean - mean.transpose()).norm(), 0);
+  const double slack = 0.1 * meanEdgeLength(sphere);
   for (int i = 0; i < mean.rows(); ++i)
     for (int j = 0; j < mean.cols(); ++j)
-      EXPECT_NEAR(
-          mean(i, j), landmarks.distances(i, landmarks.vertices[j]), 0.1 * meanEdgeLength(sphere));
+      EXPECT_NEAR(mean(i, j), landmarks.distances(i, landmarks.vertices[j]), slack);
 }
 
 TEST(Landmarks, pathsOnAClosedSurfaceAreTrusted) {
-  const TriangleMesh sphere = test::sphere(3);
-  const Landmarks landmarks = computeLandmarks(sphere, FastMarching(sphere));
+  const auto& [sphere, landmarks] = sampledSphere();
   EXPECT_EQ(landmarks.confidence.minCoeff(), 1.0f);
 }
 

@@ -217,12 +217,13 @@ TEST(Settle, doesNotDrawASurfaceToTheRimOfAHole) {
         b.neighbors.begin(v), b.neighbors.end(v), [&](int w) { return !b.on_boundary[w]; });
     if (inner != b.neighbors.end(v)) v = *inner;
   }
+  const double near = 0.5 * meanEdgeLength(whole);
   const auto expectInPlace = [&](const BentPair& pair) {
     int in_hole = 0;
     for (int v = 0; v < whole.vertices.rows(); ++v) {
       if ((whole.vertices.row(v) - centre).norm() > 0.15) continue;
       ++in_hole;
-      EXPECT_LT((pair.bent_a.row(v) - whole.vertices.row(v)).norm(), 0.5 * meanEdgeLength(whole));
+      EXPECT_LT((pair.bent_a.row(v) - whole.vertices.row(v)).norm(), near);
     }
     EXPECT_GT(in_hole, 10);
   };
