@@ -26,7 +26,7 @@ RefinedShape refinedShape(const TriangleMesh& mesh) {
 class RefinedMaps : public testing::Test {
  protected:
   /// The club onto itself, from a map that has the arm wound so.
-  RefinedMap refined(double angle) const {
+  static RefinedMap refined(double angle) {
     const TriangleMesh& coarse = club_.coarse.mesh;
     Finalist finalist;
     finalist.maps = {test::nearestOf(test::wound(coarse, angle), coarse),
@@ -36,13 +36,15 @@ class RefinedMaps : public testing::Test {
     return map;
   }
 
-  double scoreOf(const RefinedMap& map) const {
+  static double scoreOf(const RefinedMap& map) {
     const SpectralSurface work = club_.workSurface();
     return scoreMaps(work, work, map.pair.maps).total();
   }
 
-  RefinedShape club_ = refinedShape(test::clubWithHand());
+  static const RefinedShape club_;
 };
+
+const RefinedShape RefinedMaps::club_ = refinedShape(test::clubWithHand());
 
 TEST_F(RefinedMaps, whatFitsIsExact) {
   const RefinedMap map = refined(0);

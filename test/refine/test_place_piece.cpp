@@ -31,25 +31,34 @@ std::vector<int> partOf(const Points& points, double reach) {
   return part;
 }
 
+/// A piece of a lump and its places, found once.
+struct Placed {
+  std::vector<int> part = partOf(lump(), 0.3);
+  Matrix whole = test::pairwise(lump()), piece = whole(part, part);
+  std::vector<PiecePlace> places = placePiece(piece, whole, 5);
+};
+
+const Placed& placed() {
+  static const Placed once;
+  return once;
+}
+
 TEST(PlacePiece, findsAPieceOfAnySizeWhereItCameFrom) {
-  const Points whole = lump();
-  const std::vector<int> part = partOf(whole, 0.3);
+  const std::vector<int>& part = placed().part;
   ASSERT_GT(part.size(), 30);
   ASSERT_LT(part.size(), 110);
-  for (const double size : {1.0, 2.6}) {
-    const Matrix piece = size * test::pairwise(whole(part, Eigen::all));
-    const std::vector<PiecePlace> places = placePiece(piece, test::pairwise(whole), 3);
+  const auto expectFound = [&](const std::vector<PiecePlace>& places, double size) {
     ASSERT_FALSE(places.empty());
     EXPECT_EQ(places.front().sample, part);
     EXPECT_NEAR(places.front().scale * size, 1, 1e-9);
     EXPECT_LT(places.front().misfit, 1e-9);
-  }
+  };
+  expectFound(placed().places, 1);
+  expectFound(placePiece(2.6 * placed().piece, placed().whole, 3), 2.6);
 }
 
 TEST(PlacePiece, ranksDifferentPlacesByMisfit) {
-  const Points whole = lump();
-  const Matrix piece = test::pairwise(whole(partOf(whole, 0.3), Eigen::all));
-  const std::vector<PiecePlace> places = placePiece(piece, test::pairwise(whole), 5);
+  const std::vector<PiecePlace>& places = placed().places;
   ASSERT_GT(places.size(), 1);
   ASSERT_LE(places.size(), 5);
   for (std::size_t i = 1; i < places.size(); ++i) {
