@@ -188,7 +188,23 @@ TEST_F(Compare, rigidMethodsAreBestWhereABodyHeldStill) {
 }
 
 TEST_F(Compare, whereABentBodyIsIsNothingToPosture) {
-  const auto end = compare({DATA_DIR "/human/pairs.csv", "--method", "posture", "--method", "icp"});
+  const auto made = test::run(POSTURE,
+                              {"synthesize",
+                               "--kind",
+                               "human",
+                               "--pose",
+                               "0",
+                               "6",
+                               "--tessellation",
+                               "0",
+                               "1",
+                               "--vertices",
+                               "1000",
+                               "-o",
+                               folder_ / "bodies"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const auto end =
+      compare({folder_ / "bodies/pairs.csv", "--method", "posture", "--method", "icp"});
   ASSERT_EQ(end.exit_code, 0) << end.err;
   const auto error = [this](const std::string& variation, const std::string& method) -> double {
     return result("human-pose0-pose6." + variation + "." + method)["errors"]["mean_x100"];

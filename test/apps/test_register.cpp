@@ -247,30 +247,34 @@ TEST_F(Register, saysWhatItWasAskedForAndWhatItWrote) {
   }
 }
 
-TEST_F(Register, leavesNothingOfAnEarlierResult) {
+TEST_F(Register, takesAShapeForItselfAndLeavesNothingOfAnEarlierResult) {
   const fs::path folder = at("again");
   fs::create_directory(folder);
-  writeMesh(folder / "source.ply", readMesh(at("source.ply")).mesh);
+  fs::copy_file(at("target.off"), folder / "shape.off");
   const auto write = [](const fs::path& path, const std::string& text) {
     std::ofstream(path) << text;
   };
   // What an earlier report lists goes, but for the input; what is elsewhere or not listed stays.
-  const json files = {{"correspondence_back.csv", ""}, {"source.ply", ""}, {"../target.off", ""}};
+  const json files = {{"correspondence_back.csv", ""}, {"shape.off", ""}, {"../target.off", ""}};
   write(folder / "report.json", json({{"files", files}}).dump());
   const std::vector<std::string> stale{
       "correspondence_back.csv", "segments.json", "segments.csv", "pose-1_segments.ply"};
   for (const std::string& name : stale) write(folder / name, "old");
   write(folder / "notes.txt", "mine");
   const ProgramRun ended = registerShapes(
-      {folder / "source.ply", at("target.off"), "-o", folder.string(), "--alternatives", "-q"});
+      {folder / "shape.off", folder / "shape.off", "-o", folder.string(), "--alternatives", "-q"});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
-  std::set<std::string> names, listed{"report.json", "report.html", "notes.txt", "source.ply"};
+  std::set<std::string> names, listed{"report.json", "report.html", "notes.txt", "shape.off"};
   for (const fs::path& file : filesIn(folder)) names.insert(file.filename().string());
   const json report = json::parse(test::bytesOf(folder / "report.json"));
   for (const auto& file : report.at("files").items()) listed.insert(file.key());
-  EXPECT_EQ(names, listed);  // with the alternatives, if there are any
+  EXPECT_EQ(names, listed);
+  EXPECT_EQ(names.count("alternative-1.csv"), 1u);
   EXPECT_TRUE(fs::exists(at("target.off")));
   EXPECT_EQ(report.at("options").at("alternatives"), "true");
+  const Correspondence map = readCorrespondence(folder / "correspondence.csv");
+  for (std::size_t v = 0; v < map.on_target.size(); ++v)
+    EXPECT_EQ(map.on_target[v].vertex, static_cast<int>(v));
 }
 
 TEST_F(Register, anInterruptedRunLeavesWholeFilesOnly) {
@@ -320,14 +324,6 @@ TEST_F(Register, findsTheWayBackOnRequest) {
   EXPECT_NEAR(agreement.at("mean_miss"), sum / count, edge);
   EXPECT_GE(agreement.at("percentile_95_miss"), agreement.at("mean_miss"));
   EXPECT_FALSE(report("one").at("trust").contains("there_and_back"));
-}
-
-TEST_F(Register, takesAShapeForItself) {
-  const ProgramRun ended = registerShapes({at("target.off"), at("target.off"), "-o", at("self")});
-  ASSERT_EQ(ended.exit_code, 0) << ended.err;
-  const Correspondence map = readCorrespondence(at("self") + "/correspondence.csv");
-  for (std::size_t v = 0; v < map.on_target.size(); ++v)
-    EXPECT_EQ(map.on_target[v].vertex, static_cast<int>(v));
 }
 
 /// Runs that come to nothing, against a sound mesh.
