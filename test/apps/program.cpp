@@ -23,6 +23,7 @@ namespace {
     else
       setenv(entry.substr(0, equals).c_str(), entry.substr(equals + 1).c_str(), 1);
   }
+  std::signal(SIGINT, SIG_DFL);  // ignored where a shell runs the tests in the background
   if (std::freopen((folder / "out").c_str(), "w", stdout) == nullptr) _exit(126);
   if (std::freopen((folder / "err").c_str(), "w", stderr) == nullptr) _exit(126);
   std::vector<char*> argv = {const_cast<char*>(program.c_str())};
