@@ -9,9 +9,7 @@
 #include "sides/side_surface.h"
 #include "support/shapes.h"
 #include <limits>
-#include <optional>
 #include <utility>
-#include <vector>
 
 namespace posture {
 namespace {

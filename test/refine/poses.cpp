@@ -6,6 +6,7 @@
 #include <posture/embedding/canonical_form.h>
 #include <posture/geodesic/fast_marching.h>
 #include <posture/mesh/edges.h>
+#include <posture/spectral/spectral_basis.h>
 
 #include <Eigen/QR>
 

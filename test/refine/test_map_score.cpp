@@ -3,6 +3,7 @@
 #include <posture/core/rng.h>
 #include <posture/mesh/areas.h>
 #include <posture/refine/map_score.h>
+#include <posture/spectral/spectral_basis.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/deformation/reduce_mesh.h>
+#include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
 #include <posture/refine/surface.h>
+#include <posture/spectral/spectral_basis.h>
 
 #include <gtest/gtest.h>
 
