@@ -192,29 +192,25 @@ TEST(BackgroundFaces, aFloorAloneAndAMeshWithoutAreaHaveNone) {
 }
 
 TEST(BackgroundFaces, areNotLimbsThatHangPastTheEdge) {
-  // Seated, the thighs forward along y, on a table that ends before the shins.
-  TriangleMesh body = person(2);
+  // Seated, looking along y, on a table that ends before the shins.
+  const ArticulatedBody seated = test::body(2, 1500, 0, BodyKind::HUMAN);
+  const TriangleMesh& body = seated.mesh;
   const auto faces = static_cast<int>(body.faces.rows());
-  const Offset high = body.vertices.colwise().maxCoeff(), low = body.vertices.colwise().minCoeff();
-  std::vector<double> seat;
-  for (const auto& p : body.vertices.rowwise())
-    if (p.y() < 0.5 * (low.y() + high.y())) seat.push_back(p.z());
-  const double height = *std::min_element(seat.begin(), seat.end());
-  std::vector<double> shins;
-  for (const auto& p : body.vertices.rowwise())
-    if (p.z() < height - 0.02) shins.push_back(p.y());
-  ASSERT_GT(shins.size(), 200u);
-  const double edge = *std::min_element(shins.begin(), shins.end()) - 0.03;
-  TriangleMesh table = floorOf(1.2);
-  table.vertices.col(1).array() += edge - 0.6;
-  table.vertices.col(2).array() += height - 0.001;
-  const TriangleMesh mesh = joined(body, table);
-  expectFloorFound(mesh, faces, "a table");
+  double height = 1, edge = 1;
+  for (int v = 0; v < body.vertices.rows(); ++v) {
+    const std::string bone = seated.bone_names[seated.bone[v]];
+    if (bone == "pelvis") height = std::min(height, body.vertices(v, 2) - 0.001);
+    if (bone.rfind("shin", 0) == 0) edge = std::min(edge, body.vertices(v, 1) - 0.005);
+  }
+  ASSERT_GT((body.vertices.col(2).array() < height - 0.1).count(), 100);
+  TriangleMesh table = test::grid(40, 40, 1, 0.8);
+  table.vertices.rowwise() += Offset(-0.5, edge - 0.8, height);
+  expectFloorFound(joined(body, table), faces, "a table");
   // What hangs from the table itself goes with it: a cloth over its edge.
-  TriangleMesh cloth = test::grid(40, 10, 1.2, 0.3);
+  TriangleMesh cloth = test::grid(40, 10, 1, 0.2);
   for (auto p : cloth.vertices.rowwise()) {
     const Offset q = p;
-    p << q.x() - 0.6, edge, height - 0.001 - q.y();
+    p << q.x() - 0.5, edge - 0.8, height - q.y();
   }
   expectFloorFound(joined(body, joined(table, cloth)), faces, "a table with a cloth");
 }

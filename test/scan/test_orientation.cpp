@@ -89,7 +89,7 @@ TEST(Orientation, looksAtTheSensorEvenFromInside) {
 TEST(Orientation, doesNotBelieveASensorThatSawOneSideOfABodyOnly) {
   const Points points = test::torusPoints(4000, 1, 0.3), truth = torusNormals(points, 1);
   for (const Eigen::RowVector3d& sensor :
-       {Eigen::RowVector3d(4, 0, 0), Eigen::RowVector3d(0, 1.5, 0), Eigen::RowVector3d(1, 2, 9)}) {
+       {Eigen::RowVector3d(4, 0, 0), Eigen::RowVector3d(0, 2.5, 0), Eigen::RowVector3d(1, 2, 9)}) {
     Points normals = scrambled(truth, 5);
     const Points directions = ((-points).rowwise() + sensor).rowwise().normalized();
     EXPECT_FALSE(orient(points, {directions, HintSource::SENSOR}, normals).by_sensor);

@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -234,16 +233,19 @@ bool goesAround(const AreaSamples& samples,
 /// How far a plane goes in directions along it.
 class Extent {
  public:
-  Extent(const AreaSamples& samples, const Plane& plane) : along_(plane) {
+  /// \param without  the share of what is in it that may lie farther out in each direction.
+  Extent(const AreaSamples& samples, const Plane& plane, double without = 0) : along_(plane) {
+    std::vector<Eigen::Vector2d> held;
+    for (int i = 0; i < samples.points.rows(); ++i)
+      if (plane.holds(samples, i)) held.push_back(along_(samples.points.row(i)));
+    const auto last = static_cast<std::size_t>((1 - without) * static_cast<double>(held.size()));
     for (int k = 0; k < DIRECTIONS; ++k) {
       const double angle = 2 * M_PI * k / DIRECTIONS;
       direction_[k] = {std::cos(angle), std::sin(angle)};
-    }
-    end_.fill(-std::numeric_limits<double>::infinity());
-    for (int i = 0; i < samples.points.rows(); ++i) {
-      if (!plane.holds(samples, i)) continue;
-      const Eigen::Vector2d at = along_(samples.points.row(i));
-      for (int k = 0; k < DIRECTIONS; ++k) end_[k] = std::max(end_[k], at.dot(direction_[k]));
+      std::vector<double> ends;
+      for (const Eigen::Vector2d& at : held) ends.push_back(at.dot(direction_[k]));
+      std::sort(ends.begin(), ends.end());
+      end_[k] = ends[std::min(last, ends.size() - 1)];
     }
   }
 
@@ -321,6 +323,7 @@ std::vector<Plane> backgroundPlanes(const AreaSamples& samples) {
 /// Marks the faces in a plane and beyond it, but not limbs of the body that hang past its edge:
 /// what goes on from the body, and is mostly farther out than the plane goes.
 /// \param points  the mesh's vertices, in the unit of the plane.
+/// \param extent  without the undersides of limbs that are in the plane, but past the edge.
 void markBackground(const Points& points,
                     const Faces& faces,
                     const Plane& plane,
@@ -370,8 +373,10 @@ std::vector<char> backgroundFaces(const TriangleMesh& mesh) {
   const double unit = 1 / rootArea(mesh);
   if (!std::isfinite(unit)) return background;
   const AreaSamples samples(mesh);
+  constexpr double KNEES = 0.01;
   for (const Plane& plane : backgroundPlanes(samples))
-    markBackground(unit * mesh.vertices, mesh.faces, plane, Extent(samples, plane), background);
+    markBackground(
+        unit * mesh.vertices, mesh.faces, plane, Extent(samples, plane, KNEES), background);
   return background;
 }
 
