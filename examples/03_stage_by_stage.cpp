@@ -40,19 +40,6 @@ EmbeddedShape embed(const char* name, const TriangleMesh& mesh) {
   return shape;
 }
 
-// Each target vertex once: what common meshes are made of.
-std::vector<VertexPair> oneToOne(const DenseMap& map, Eigen::Index target_vertices) {
-  std::vector<char> taken(target_vertices, 0);
-  std::vector<VertexPair> pairs;
-  for (int v = 0; v < static_cast<int>(map.target_vertex.size()); ++v) {
-    const int t = map.target_vertex[v];
-    if (t < 0 || taken[t]) continue;
-    taken[t] = 1;
-    pairs.push_back({v, t});
-  }
-  return pairs;
-}
-
 // Mean distance from the true places, over the square root of the target's area.
 double meanError(const DenseMap& map,
                  const CleanMesh& source,
@@ -100,7 +87,8 @@ int run(const char* source_path, const char* target_path, const char* truth_path
     const std::vector<int> kernel = consistencyKernel(consistency[k], threshold);
     const DenseMap map = computeDenseMap(source, target, candidate, kernel, threshold);
     // 5: one mesh in both shapes; how much do its edges change in length?
-    const std::vector<VertexPair> pairs = oneToOne(map, target.mesh.vertices.rows());
+    const std::vector<VertexPair> pairs =
+        oneToOne(map, static_cast<int>(target.mesh.vertices.rows()));
     const CommonMeshes common = computeCommonMeshes(source.mesh, target.mesh, pairs);
     const double energy =
         std::max(deformationEnergy(common.from_source), deformationEnergy(common.from_target));

@@ -60,5 +60,19 @@ TEST(DenseMap, withoutMatchesMapsNothing) {
   EXPECT_EQ(map.target_vertex, std::vector<int>(21 * 7, -1));
 }
 
+TEST(OneToOne, keepsTheSurestOfThoseThatShareATarget) {
+  DenseMap map;
+  map.target_vertex = {2, -1, 0, 2, 2, 5};
+  map.confidence = Vector(6);
+  map.confidence << 0.3, 0, 1, 0.9, 0.9, 0.1;
+  const std::vector<VertexPair> pairs = oneToOne(map, 6);
+  ASSERT_EQ(pairs.size(), 3u);
+  const int source[] = {2, 3, 5}, target[] = {0, 2, 5};
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(pairs[k].source, source[k]);
+    EXPECT_EQ(pairs[k].target, target[k]);
+  }
+}
+
 }  // namespace
 }  // namespace posture

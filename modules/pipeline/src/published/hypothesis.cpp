@@ -9,26 +9,6 @@
 #include <utility>
 
 namespace posture {
-namespace {
-
-/// The accepted pairs, each target vertex once: of the source vertices that share one, the one the
-/// samples agree with most.
-std::vector<VertexPair> oneToOne(const DenseMap& map, int target_count) {
-  std::vector<int> source_of(target_count, -1);
-  for (std::size_t v = 0; v < map.target_vertex.size(); ++v) {
-    const int t = map.target_vertex[v];
-    if (t < 0) continue;
-    if (source_of[t] < 0 || map.confidence[v] > map.confidence[source_of[t]])
-      source_of[t] = static_cast<int>(v);
-  }
-  std::vector<VertexPair> pairs;
-  for (int t = 0; t < target_count; ++t)
-    if (source_of[t] >= 0) pairs.push_back({source_of[t], t});
-  return pairs;
-}
-
-}  // namespace
-
 std::vector<Matrix> consistencyMatrices(const std::vector<Candidate>& candidates,
                                         const Landmarks& source,
                                         const Landmarks& target) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <posture/core/correspondence.h>
 #include <posture/core/types.h>
 #include <posture/embedding/canonical_form.h>
 #include <posture/geodesic/landmarks.h>
@@ -33,5 +34,9 @@ DenseMap computeDenseMap(const EmbeddedShape& source,
                          const Candidate& candidate,
                          const std::vector<int>& kernel,
                          double threshold);
+
+/// The accepted pairs, each target vertex once, in their order: of the source vertices that share
+/// one, the one of most confidence. What common meshes are made of (section 5).
+std::vector<VertexPair> oneToOne(const DenseMap& map, int target_count);
 
 }  // namespace posture
