@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cut_polygon.h"
+#include <posture/io/cut_polygon.h>
 
 #include <Eigen/Geometry>
 

@@ -3,9 +3,9 @@
 #include "mesh_builder.h"
 
 #include <posture/core/error.h>
+#include <posture/io/cut_polygon.h>
 
 #include "color_byte.h"
-#include "cut_polygon.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -373,6 +373,7 @@ std::vector<char> backgroundFaces(const TriangleMesh& mesh) {
   const double unit = 1 / rootArea(mesh);
   if (!std::isfinite(unit)) return background;
   const AreaSamples samples(mesh);
+  // Of what is in a plane: undersides of limbs that lie in it, but past its edge.
   constexpr double KNEES = 0.01;
   for (const Plane& plane : backgroundPlanes(samples))
     markBackground(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/core/finite_rows.h>
+#include <posture/io/cut_polygon.h>
 #include <posture/mesh/point_index.h>
 #include <posture/mesh/rigid_motion.h>
 #include <posture/pipeline/deformed_surface.h>
@@ -9,6 +10,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -37,6 +40,16 @@ Part pointsOf(const CloudSide& side) {
   return part;
 }
 
+/// As polygons of files are cut; one that lacks a corner's place as a fan.
+std::vector<std::array<int, 3>> trianglesOf(const std::vector<int>& corners, const Points& points) {
+  const int count = static_cast<int>(corners.size());
+  if (count > 3 && *std::min_element(corners.begin(), corners.end()) >= 0)
+    return cutPolygon(points(corners, Eigen::all));
+  std::vector<std::array<int, 3>> fan;
+  for (int k = 2; k < count; ++k) fan.push_back({0, k - 1, k});
+  return fan;
+}
+
 Part meshOf(const CloudSide& side) {
   Part part{{}, finiteRows(side.cloud.points), {}, side.cloud.points.rows()};
   part.shape.cloud.points = side.cloud.points(part.row, Eigen::all);
@@ -50,13 +63,15 @@ Part meshOf(const CloudSide& side) {
       if (corner < 0 || static_cast<std::size_t>(corner) >= side.total)
         throw InputError("mesh names point " + std::to_string(corner) + " of " +
                          std::to_string(side.total));
-    for (std::size_t k = 2; k < polygon.vertices.size(); ++k, ++triangle) {
-      const Eigen::RowVector3i face(vertex[polygon.vertices[0]],
-                                    vertex[polygon.vertices[k - 1]],
-                                    vertex[polygon.vertices[k]]);
-      if (face.minCoeff() < 0) continue;
-      faces.push_back(face);
-      part.face.push_back(triangle);
+    std::vector<int> corners;
+    for (const auto corner : polygon.vertices) corners.push_back(vertex[corner]);
+    for (const std::array<int, 3>& cut : trianglesOf(corners, part.shape.cloud.points)) {
+      const Eigen::RowVector3i face(corners[cut[0]], corners[cut[1]], corners[cut[2]]);
+      if (face.minCoeff() >= 0) {
+        faces.push_back(face);
+        part.face.push_back(triangle);
+      }
+      ++triangle;
     }
   }
   if (faces.empty()) throw InputError("mesh has no triangle with all its corners among the points");

@@ -12,8 +12,9 @@
 namespace posture {
 namespace {
 
-/// Maps between samples that are bent onto the target.
+/// How many maps between samples are bent onto the target.
 constexpr int POOL = 32;
+
 /// How many vertices a side counts as where the other one is reduced. The same for a side, its
 /// parts and with its holes closed, so that scores of all can be compared, and however often the
 /// file has a vertex.

@@ -89,7 +89,7 @@ class IsometricRegistration : public pcl::Registration<PointSource, PointTarget,
   void setInputSource(const PointCloudSourceConstPtr& cloud) override;
   void setInputTarget(const PointCloudTargetConstPtr& cloud) override;
 
-  /// The input and a surface over it. Polygons of more than three corners are cut into fans;
+  /// The input and a surface over it. Polygons of more than three corners are cut by cutPolygon();
   /// without polygons the points are used. Polygons that name points that do not exist are bad
   /// data: align() does not converge. \param polygons  their corners are numbers in the cloud,
   /// counter-clockwise from outside.

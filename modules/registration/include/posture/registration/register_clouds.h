@@ -22,7 +22,7 @@ struct CloudSide {
   std::size_t total = 0;    ///< how many points that cloud has
   std::string fault;        ///< what is wrong with the indices, in words; empty: nothing
   /// In the numbers of that cloud; empty: points alone. Polygons of more than three corners are cut
-  /// into fans; triangles with a corner that takes no part, or is not finite, are left out.
+  /// by cutPolygon(); triangles with a corner that takes no part, or is not finite, are left out.
   std::vector<pcl::Vertices> polygons;
 };
 
