@@ -194,7 +194,7 @@ class PutBack {
   const std::vector<char>& kept() const { return kept_; }
 
  private:
-  /// Seconds, not minutes: a look at a million faces takes about one.
+  /// Half a minute at most: a look at a million faces takes about two seconds.
   bool mayLook() {
     constexpr double MOST_FACES = 1e7;
     return ++looks_ * static_cast<double>(faces_.size()) < MOST_FACES;
