@@ -62,7 +62,8 @@ TEST(BadMesh, anyFormat) {
                   {"a.ply", "\xfd\x37zXZ...", "is compressed (xz)"},
                   {"a.ply", "hello\n", "does not begin with 'ply'"},
                   {"a.vtk", "<?xml version=\"1.0\"?>\n", "does not begin with '# vtk DataFile"},
-                  {"a.off", "4 4 0\n", "line 1: '4' where OFF is expected"},
+                  {"a.off", "hat 4 0\n", "line 1: 'hat' where OFF is expected"},
+                  {"a.off", "4 4 0\n", "line 1: the number of vertices is 4, too many"},
                   {"a.obj", garbage(), "is not an OBJ statement"},
                   {"a.off", garbage(), "where OFF is expected"},
                   {"a.stl", garbage(), "truncated: its head says"},
@@ -88,6 +89,8 @@ TEST(BadMesh, obj) {
                   {"a.obj", "v 0 0 1e99999\n", "not finite"},
                   {"a.obj", three + "f 1 2 4\n", "line 4: face index 4 is out of range"},
                   {"a.obj", three + "f 1 2 9999999999\n", "line 4: face index"},
+                  {"a.obj", three + "f 1 2 3\nf 1 2", "line 5: a face of 2 corners (truncated?)"},
+                  {"a.obj", three + "f 1 2 3\nf", "line 5: a face of 0 corners (truncated?)"},
                   {"a.obj", three + "f 1 2 99999999999999999999\n", "is not a whole number"},
                   {"a.obj", three + "f 1 2 0\n", "line 4: face index 0, OBJ counts from 1"},
                   {"a.obj", three + "f 1 2 -4\n", "line 4: face index -4 is out of range"},
@@ -204,21 +207,23 @@ TEST(BadMesh, stl) {
   none.replace(80, 1, 1, '\0');
   std::string infinite = binary;
   infinite.replace(96, 4, test::raw(std::numeric_limits<float>::infinity()));
-  expectMessages({{"a.stl", "solid\n", "line 2: truncated: no 'endsolid'"},
-                  {"a.stl", "solid\nendsolid\n", "there are no vertices"},
-                  {"a.stl", "solid\nfacets\n", "line 2: 'facets' where 'facet' is expected"},
-                  {"a.stl", loop, "truncated inside a facet"},
-                  {"a.stl", loop + "vertex 0 1\n", "a vertex coordinate is missing (truncated)"},
-                  {"a.stl", loop + "vertex 0 x 0\n", "line 6: a vertex coordinate: 'x'"},
-                  {"a.stl", loop + "vertex 0 inf 0\n", "line 6: vertex 2 has a coordinate"},
-                  {"a.stl", loop + "vertex 0 1 0\nendloop\n", "truncated inside a facet"},
-                  {"a.stl", loop + "endfacet\n", "'endfacet' where 'vertex' is expected"},
-                  {"a.stl", "short", "truncated: shorter than the head"},
-                  {"a.stl", binary.substr(0, 150), "its head says 2 facets, there are 1"},
-                  {"a.stl", many, "its head says 2147483647 facets, there are 2"},
-                  {"a.stl", few, "its head says 1 facets, there are 2"},
-                  {"a.stl", none, "its head says 0 facets, there are 2"},
-                  {"a.stl", infinite, "vertex 0 has a coordinate that is not finite"}});
+  expectMessages(
+      {{"a.stl", "solid\n", "line 2: truncated: no 'endsolid'"},
+       {"a.stl", "solid\nendsolid\n", "there are no vertices"},
+       {"a.stl", "solid\nfacets\n", "line 2: 'facets' where 'facet' is expected"},
+       {"a.stl", loop, "truncated inside a facet"},
+       {"a.stl", loop + "vertex 0 1\n", "a vertex coordinate is missing (truncated)"},
+       {"a.stl", loop + "vertex 0 x 0\n", "line 6: a vertex coordinate: 'x'"},
+       {"a.stl", loop + "vertex 0 inf 0\n", "line 6: vertex 2 has a coordinate"},
+       {"a.stl", loop + "vertex 0 1 0\nendloop\n", "truncated inside a facet"},
+       {"a.stl", loop + "endfacet\n", "'endfacet' where 'vertex' is expected"},
+       {"a.stl", loop + "endloop\nendfacet\nendsolid\n", "line 6: a facet of 2 vertices"},
+       {"a.stl", "short", "truncated: shorter than the head"},
+       {"a.stl", binary.substr(0, 150), "its head says 2 facets, there are 1"},
+       {"a.stl", many, "its head says 2147483647 facets, there are 2"},
+       {"a.stl", few, "its head says 1 facets, there are 2"},
+       {"a.stl", none, "its head says 0 facets, there are 2"},
+       {"a.stl", infinite, "vertex 0 has a coordinate that is not finite"}});
 }
 
 TEST(BadMesh, vtk) {
@@ -252,6 +257,9 @@ TEST(BadMesh, vtk) {
        {"a.vtk", three + "POLYGONS 1 4000000000\n3 0 1 2\n", "too many for the size"},
        {"a.vtk", three + "POLYGONS 1 4\n3 0 1 1.5\n", "an index that is not a whole number"},
        {"a.vtk", three + "RUBBISH 1\n", "'rubbish' is not a VTK section"},
+       {"a.vtk", head + "FIELD f 1\nnames 1 9 string\na\nb\n", "truncated inside"},
+       {"a.vtk", binary + "FIELD f 1\nnames 1 1 string\n\xC9name", "an array of strings"},
+       {"a.vtk", binary + "FIELD f 1\nnames 1 1 string\n\x3fname", "an array of strings"},
        {"a.vtk", three + "POLYGONS 2 3\nOFFSETS int\n0 4\nCONNECTIVITY int\n0 1 2\n", "an offset"},
        {"a.vtk",
         three + "POLYGONS 2 3\nOFFSETS int\n1 3\nCONNECTIVITY int\n0 1 2\n",

@@ -235,6 +235,15 @@ TEST(Off, countsOnTheFirstLineOrTheNext) {
   }
 }
 
+TEST(Off, theKeywordMayBeInSmallLettersOrMissing) {
+  const std::string body = "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const std::string head : {"off\n", "# by hand\n", ""})
+    EXPECT_EQ(parse(".off", head + body).mesh.vertices, corner_triangle) << head;
+  const MeshFile file =
+      parse(".mesh", "noff\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n");
+  EXPECT_EQ(file.normals, up_normals);
+}
+
 TEST(Off, polygonsAndTrailingFaceColors) {
   const MeshFile file = parse(".off",
                               "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0 # last\n"
@@ -423,6 +432,23 @@ TEST(Vtk, sectionsThatDoNotMatterAreSkipped) {
           vtk_points + "VERTICES 1 2\n1 0\nLINES 1 3\n2 0 1\nPOLYGONS 2 9\n4 0 1 2 3\n3 0 1 2\n" +
           "TRIANGLE_STRIPS 1 5\n4 0 1 3 2\nPOINT_DATA 4\nanything at all\n");
   EXPECT_EQ(file.mesh.faces, faces({{0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {0, 1, 3}, {3, 1, 2}}));
+}
+
+TEST(Vtk, fieldsOfStringsAreSkipped) {
+  const std::string field = "DATASET POLYDATA\nFIELD f 2\nnames 2 2 string\n";
+  const std::string polygon = "POLYGONS 1 4\n3 0 1 2\n";
+  const MeshFile text = parse(
+      ".vtk", vtk_head + field + "POINTS\n\na%20hat\n7\nTIME 1 1 int\n3\n" + vtk_points + polygon);
+  EXPECT_EQ(text.mesh.faces, faces({{0, 1, 2}}));
+  // Lengths in one byte, two, four and eight.
+  std::string binary = "# vtk DataFile Version 3.0\nt\nBINARY\n" + field + "\xC3" + "hat" +
+                       std::string("\x80\x46", 2) + std::string(70, '\n') +
+                       std::string("\x40\0\0\2ab", 6) + std::string("\0\0\0\0\0\0\0\1c", 9) +
+                       "\nTIME 1 1 int\n" + raw(3, true) + "\nPOINTS 3 float\n";
+  for (const float x : {0, 0, 0, 1, 0, 0, 0, 1, 0}) binary += raw(x, true);
+  binary += "\nPOLYGONS 1 4\n";
+  for (const int i : {3, 0, 1, 2}) binary += raw(i, true);
+  EXPECT_EQ(parse(".vtk", binary).mesh.vertices, corner_triangle);
 }
 
 TEST(Vtk, unstructuredGridsOfPolygons) {

@@ -97,6 +97,9 @@ class ObjReader {
       if (second == std::string_view::npos || second + 1 == word.size()) continue;
       noteNormal(corners_.back(), resolve(word.substr(second + 1), normals_.size() / 3));
     }
+    // A line that ends with the file may have been cut off; elsewhere such faces are edges.
+    if (corners_.size() < 3 && text_.remaining() == 0)
+      text_.fail("a face of " + std::to_string(corners_.size()) + " corners (truncated?)");
     builder_.addPolygon(corners_);
   }
 

@@ -15,8 +15,19 @@ struct OffHeader {
   bool colors_first = false;
 };
 
+/// As Geomview writes it; some programs write all of it in small letters.
+std::string keyword(std::string_view word) {
+  std::string capitals(word);
+  if (lowercase(word) == word)
+    for (char& c : capitals)
+      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return capitals;
+}
+
 /// Splits the letters before OFF; false where they are none that belong there.
-bool parseKeyword(std::string_view word, OffHeader& header) {
+bool parseKeyword(std::string_view given, OffHeader& header) {
+  const std::string capitals = keyword(given);
+  const std::string_view word = capitals;
   if (word.size() < 3 || word.substr(word.size() - 3) != "OFF") return false;
   for (std::string_view rest = word.substr(0, word.size() - 3); !rest.empty();) {
     const bool texture = rest.substr(0, 2) == "ST";
@@ -51,10 +62,14 @@ class OffReader {
   }
 
  private:
+  /// Of a file with the ending it may be missing.
   void readKeyword() {
+    const std::size_t before = text_.offset();
     const std::string_view word = text_.word();
+    std::int64_t count = 0;
+    if (parseInteger(word, count)) return text_.moveTo(before);
     if (!parseKeyword(word, header_)) text_.fail(inQuotes(word) + " where OFF is expected");
-    if (word.find_first_of("4n") != std::string_view::npos)
+    if (keyword(word).find_first_of("4n") != std::string::npos)
       text_.fail(std::string(word) + ": only three coordinates a vertex can be read");
     const std::size_t after = text_.offset();
     if (text_.wordOnLine() == "BINARY") text_.fail("binary OFF cannot be read");

@@ -27,10 +27,11 @@ MeshFile readStl(const Input& input);
 MeshFile readVtk(const Input& input, Unseen unseen);
 
 PointCloud readPcd(const Input& input);
-/// Rows of numbers as in XYZ, PTS and CSV files.
+/// Rows of numbers as in XYZ, PTS and CSV files. The endings .xyzn and .xyzrgb tell what follows x,
+/// y and z.
 PointCloud readTable(const Input& input);
 
-/// OFF with any of the prefixes ST, C, N, 4, n.
+/// OFF with any of the prefixes ST, C, N, 4, n; or all of it in small letters.
 bool isOffKeyword(std::string_view word);
 /// Exactly as long as a binary STL file with its number of facets is.
 bool isBinaryStl(std::string_view bytes);

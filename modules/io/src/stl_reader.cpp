@@ -40,6 +40,8 @@ class AsciiStlReader {
     expect("loop");
     corners_.clear();
     while (readCorner()) continue;
+    if (corners_.size() < 3)
+      text_.fail("a facet of " + std::to_string(corners_.size()) + " vertices (truncated?)");
     expect("endfacet");
     builder_.addPolygon(corners_);
     return true;

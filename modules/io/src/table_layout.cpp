@@ -23,15 +23,13 @@ std::string plainName(std::string_view name) {
   return plain;
 }
 
-enum class Meaning { NOTHING, NORMAL, COLOR };
-
 bool complete(const Columns& columns) {
   return std::all_of(columns.begin(), columns.end(), [](int column) { return column >= 0; });
 }
 
 /// What three neighbouring columns hold: seen from all their rows, those that are not finite or
 /// zero left aside.
-Meaning meaningOf(const std::vector<double>& numbers, int columns, int first) {
+ColumnMeaning meaningOf(const std::vector<double>& numbers, int columns, int first) {
   constexpr double UNIT_TOLERANCE = 0.01;  // numbers of two or three digits
   bool any = false, unit = true, bytes = true, shares = true;
   for (auto row = static_cast<std::size_t>(first); row < numbers.size();
@@ -46,8 +44,10 @@ Meaning meaningOf(const std::vector<double>& numbers, int columns, int first) {
       shares = shares && v[i] >= 0 && v[i] <= 1;
     }
   }
-  if (!any) return Meaning::NOTHING;
-  return unit ? Meaning::NORMAL : bytes || shares ? Meaning::COLOR : Meaning::NOTHING;
+  if (!any) return ColumnMeaning::UNKNOWN;
+  return unit              ? ColumnMeaning::NORMAL
+         : bytes || shares ? ColumnMeaning::COLOR
+                           : ColumnMeaning::UNKNOWN;
 }
 
 Points columnsOf(const std::vector<double>& numbers, int columns, const Columns& wanted) {
@@ -89,17 +89,24 @@ bool namesLackZ(const std::vector<std::string_view>& names) {
          !layoutOfNames(names);
 }
 
-TableLayout layoutOfNumbers(const std::vector<double>& numbers, int columns) {
+TableLayout layoutOfNumbers(const std::vector<double>& numbers,
+                            int columns,
+                            ColumnMeaning behind_position) {
   TableLayout layout;
+  if (behind_position != ColumnMeaning::UNKNOWN && columns >= 6) {
+    (behind_position == ColumnMeaning::NORMAL ? layout.normal : layout.color) = {3, 4, 5};
+    return layout;
+  }
   const auto take = [&](int first) {
-    const Meaning meaning = meaningOf(numbers, columns, first);
-    Columns& wanted = meaning == Meaning::NORMAL ? layout.normal : layout.color;
-    if (meaning == Meaning::NOTHING || complete(wanted)) return false;
+    const ColumnMeaning meaning = meaningOf(numbers, columns, first);
+    Columns& wanted = meaning == ColumnMeaning::NORMAL ? layout.normal : layout.color;
+    if (meaning == ColumnMeaning::UNKNOWN || complete(wanted)) return false;
     wanted = {first, first + 1, first + 2};
     return true;
   };
   if (columns == 6) take(3);
-  if (columns == 7 && (meaningOf(numbers, columns, 3) == Meaning::NORMAL || !take(4))) take(3);
+  if (columns == 7 && (meaningOf(numbers, columns, 3) == ColumnMeaning::NORMAL || !take(4)))
+    take(3);
   if (columns == 9) {
     take(3);
     take(6);

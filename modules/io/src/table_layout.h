@@ -25,8 +25,13 @@ std::optional<TableLayout> layoutOfNames(const std::vector<std::string_view>& na
 /// Whether a line names the columns x and y, these first, and none z.
 bool namesLackZ(const std::vector<std::string_view>& names);
 
+enum class ColumnMeaning { UNKNOWN, NORMAL, COLOR };
+
 /// For a table without names, rows of `columns` numbers.
-TableLayout layoutOfNumbers(const std::vector<double>& numbers, int columns);
+/// \param behind_position  what the file's ending says of the fourth to sixth column.
+TableLayout layoutOfNumbers(const std::vector<double>& numbers,
+                            int columns,
+                            ColumnMeaning behind_position = ColumnMeaning::UNKNOWN);
 
 PointCloud toCloud(const std::vector<double>& numbers, int columns, const TableLayout& layout);
 

@@ -16,9 +16,23 @@ namespace {
 
 bool isSeparator(char c) { return c == ',' || c == ';'; }
 
+/// Behind a quoted text that begins a word at `at`, a quote doubled within it; `at` where none
+/// does.
+std::size_t behindQuotes(std::string_view text, std::size_t at) {
+  if (at >= text.size() || text[at] != '"') return at;
+  for (std::size_t i = at + 1; i < text.size(); ++i) {
+    if (text[i] != '"') continue;
+    if (i + 1 == text.size() || text[i + 1] != '"') return i + 1;
+    ++i;
+  }
+  return at;
+}
+
 /// The part of a line before a comment; `comment` is what stands behind the sign.
 std::string_view withoutComment(std::string_view line, std::string_view& comment) {
   for (std::size_t i = 0; i < line.size(); ++i) {
+    if (i == 0 || isBlank(line[i - 1]) || isSeparator(line[i - 1])) i = behindQuotes(line, i);
+    if (i == line.size()) break;
     const std::size_t sign = line[i] == '#' ? 1 : line.substr(i, 2) == "//" ? 2 : 0;
     if (sign == 0) continue;
     comment = trimmed(line.substr(i + sign));
@@ -31,16 +45,23 @@ std::string_view withoutComment(std::string_view line, std::string_view& comment
 /// What separates words: a comma or semicolon with or without blanks around it, and else blanks.
 enum class Blanks { SEPARATE, BELONG };
 
-/// Between two separators an empty word, none behind the last.
+/// What is in quotes, without them; else the word.
+std::string_view unquoted(std::string_view word) {
+  const bool is_quoted = word.size() >= 2 && word.front() == '"' && word.back() == '"';
+  return is_quoted ? trimmed(word.substr(1, word.size() - 2)) : word;
+}
+
+/// Between two separators an empty word, none behind the last. What is in quotes is not split.
 void split(std::string_view text, Blanks blanks, std::vector<std::string_view>& words) {
   words.clear();
   std::size_t at = 0;
   while (at < text.size()) {
     const std::size_t begin = at;
+    at = behindQuotes(text, at);
     while (at < text.size() && !isSeparator(text[at]) &&
            (blanks == Blanks::BELONG || !isBlank(text[at])))
       ++at;
-    words.push_back(trimmed(text.substr(begin, at - begin)));
+    words.push_back(unquoted(trimmed(text.substr(begin, at - begin))));
     while (at < text.size() && isBlank(text[at])) ++at;
     if (at < text.size() && isSeparator(text[at])) ++at;
     while (at < text.size() && isBlank(text[at])) ++at;
@@ -60,6 +81,13 @@ bool hasDecimalCommas(std::string_view text) {
     other_separator = other_separator || text[i] == ';' || blank_between;
   }
   return comma_inside && other_separator;
+}
+
+ColumnMeaning meaningOfEnding(const Input& input) {
+  const std::string ending = lowercase(input.path().extension().string());
+  return ending == ".xyzn"     ? ColumnMeaning::NORMAL
+         : ending == ".xyzrgb" ? ColumnMeaning::COLOR
+                               : ColumnMeaning::UNKNOWN;
 }
 
 class TableReader {
@@ -210,7 +238,10 @@ class TableReader {
     if (declared_ && *declared_ != rows())
       input_.fail("it says " + std::to_string(*declared_) + " points and has " +
                   std::to_string(rows()) + " (truncated?)");
-    return toCloud(numbers_, columns_, layout_ ? *layout_ : layoutOfNumbers(numbers_, columns_));
+    return toCloud(
+        numbers_,
+        columns_,
+        layout_ ? *layout_ : layoutOfNumbers(numbers_, columns_, meaningOfEnding(input_)));
   }
 
   static constexpr std::int64_t MOST_ROWS = std::numeric_limits<int>::max() - 1;

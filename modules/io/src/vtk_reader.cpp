@@ -181,12 +181,40 @@ class VtkReader {
       }
       const std::size_t components = text_.count(text_.word(), 1, "the number of components");
       const std::size_t tuples = text_.count(text_.word(), 1, "the number of tuples");
-      const Scalar type = readType();
       if (components != 0 && tuples > (text_.remaining() + 1) / components)
         text_.fail("truncated inside the field array " + inQuotes(name));
-      readNumbers(components * tuples, type);
+      skipArray(components * tuples);
       ++i;
     }
+  }
+
+  /// Behind its sizes: the type, then the values.
+  void skipArray(std::size_t count) {
+    const std::size_t before = text_.offset();
+    if (lowercase(text_.word()) == "string") {
+      text_.skipLine();
+      for (std::size_t i = 0; i < count; ++i) skipString();
+    } else {
+      text_.moveTo(before);
+      readNumbers(count, readType());
+    }
+  }
+
+  /// A line; of a binary file its length, of which the first two bits say how many bytes it has,
+  /// and as many characters.
+  void skipString() {
+    if (text_.remaining() == 0) text_.fail("truncated inside an array of strings");
+    if (!binary_) return text_.skipLine();
+    const auto byte = [&] {
+      if (text_.remaining() == 0) text_.fail("truncated inside an array of strings");
+      return static_cast<std::uint8_t>(text_.bytes(1).front());
+    };
+    const std::uint8_t first = byte();
+    constexpr int MORE[] = {7, 3, 1, 0};
+    std::uint64_t length = first & 0x3f;
+    for (int i = 0; i < MORE[first >> 6]; ++i) length = length << 8 | byte();
+    if (length > text_.remaining()) text_.fail("truncated inside an array of strings");
+    text_.bytes(static_cast<std::size_t>(length));
   }
 
   /// Ends with an empty line.
