@@ -95,10 +95,23 @@ TEST_P(WriteMesh, losesNothing) {
   EXPECT_EQ(folder.names().size(), 1u);
 }
 
+TEST(WriteMesh, plyIsSingleWhereThatMovesNoVertexFarAndElseDouble) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "mesh.ply";
+  TriangleMesh mesh = test::sphere(3);
+  writeMesh(path, mesh);
+  EXPECT_THAT(bytesOf(path), HasSubstr("\nproperty float x\n"));
+  EXPECT_LT((readMesh(path).mesh.vertices - mesh.vertices).cwiseAbs().maxCoeff(), 1e-7);
+  mesh.vertices.array() += 1e5;
+  writeMesh(path, mesh);
+  EXPECT_THAT(bytesOf(path), HasSubstr("\nproperty double x\n"));
+  EXPECT_EQ(readMesh(path).mesh.vertices, mesh.vertices);
+}
+
 TEST_P(WriteMesh, pointsWithoutFaces) {
   const TemporaryFolder folder;
   const auto path = folder.path() / (std::string("mesh") + GetParam());
-  TriangleMesh mesh = test::grid(3, 2, 1, 1);
+  TriangleMesh mesh = test::grid(4, 2, 1, 1);
   mesh.faces.resize(0, 3);
   writeMesh(path, mesh);
   const MeshFile file = readMesh(path);

@@ -44,6 +44,14 @@ void appendLittle(std::string& bytes, T value) {
     bytes += static_cast<char>(static_cast<std::uint64_t>(narrow) >> (8 * i) & 0xff);
 }
 
+/// In four bytes, or in eight.
+inline void appendReal(std::string& bytes, double value, bool as_float) {
+  if (as_float)
+    appendLittle(bytes, static_cast<float>(value));
+  else
+    appendLittle(bytes, value);
+}
+
 /// A number type as files name it.
 enum class Scalar { INT8, UINT8, INT16, UINT16, INT32, UINT32, INT64, UINT64, FLOAT, DOUBLE };
 

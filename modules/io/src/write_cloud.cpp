@@ -6,10 +6,10 @@
 
 #include "byte_order.h"
 #include "input.h"
+#include "single_precision.h"
 #include "text_reader.h"
 #include "text_writer.h"
-#include <algorithm>
-#include <limits>
+#include <initializer_list>
 #include <string>
 
 namespace posture {
@@ -22,22 +22,6 @@ std::string perColumn(const PointCloud& cloud,
                       const std::string& color) {
   return position + (cloud.normals.rows() != 0 ? normal : "") +
          (cloud.colors.rows() != 0 ? color : "");
-}
-
-/// Whether single precision moves every seen point by far less than neighbours are apart.
-bool fitFloats(const Points& points) {
-  constexpr double MOST = 1e-5;  // of the longest side of the box around them
-  double moved = 0;
-  Eigen::RowVector3d low = Eigen::RowVector3d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::RowVector3d high = -low;
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const Eigen::RowVector3d point = points.row(i);
-    if (!point.allFinite()) continue;
-    moved = std::max(moved, (point - point.cast<float>().cast<double>()).cwiseAbs().maxCoeff());
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  return moved == 0 || moved <= (MOST * high - MOST * low).maxCoeff();
 }
 
 std::string pcdHeader(const PointCloud& cloud, bool floats) {
@@ -63,20 +47,16 @@ void appendRow(std::string& out, const Colors& colors, Eigen::Index row) {
   for (int c = 0; c < 3; ++c) out += static_cast<char>(colors(row, c));
 }
 
-template <class T>
-void appendRow(std::string& out, const Points& points, Eigen::Index row) {
-  for (int axis = 0; axis < 3; ++axis) appendLittle(out, static_cast<T>(points(row, axis)));
+void appendRow(std::string& out, const Points& points, Eigen::Index row, bool as_floats) {
+  for (int axis = 0; axis < 3; ++axis) appendReal(out, points(row, axis), as_floats);
 }
 
 std::string toPcd(const PointCloud& cloud) {
   const bool floats = fitFloats(cloud.points);
   std::string out = pcdHeader(cloud, floats);
   for (Eigen::Index i = 0; i < cloud.points.rows(); ++i) {
-    if (floats)
-      appendRow<float>(out, cloud.points, i);
-    else
-      appendRow<double>(out, cloud.points, i);
-    if (cloud.normals.rows() != 0) appendRow<float>(out, cloud.normals, i);
+    appendRow(out, cloud.points, i, floats);
+    if (cloud.normals.rows() != 0) appendRow(out, cloud.normals, i, true);
     if (cloud.colors.rows() == 0) continue;
     // Blue first, opaque: what PCL keeps in the bits of a float.
     for (int c = 2; c >= 0; --c) out += static_cast<char>(cloud.colors(i, c));
@@ -86,16 +66,22 @@ std::string toPcd(const PointCloud& cloud) {
 }
 
 std::string toPly(const PointCloud& cloud) {
+  const bool floats = fitFloats(cloud.points);
+  const auto properties = [](const std::string& type, std::initializer_list<const char*> names) {
+    std::string lines;
+    for (const char* const name : names) lines += "\nproperty " + type + ' ' + name;
+    return lines;
+  };
   std::string out = "ply\nformat binary_little_endian 1.0\nelement vertex ";
   appendNumber(out, cloud.points.rows());
   out += perColumn(cloud,
-                   "\nproperty double x\nproperty double y\nproperty double z",
-                   "\nproperty double nx\nproperty double ny\nproperty double nz",
-                   "\nproperty uchar red\nproperty uchar green\nproperty uchar blue");
+                   properties(floats ? "float" : "double", {"x", "y", "z"}),
+                   properties("float", {"nx", "ny", "nz"}),
+                   properties("uchar", {"red", "green", "blue"}));
   out += "\nend_header\n";
   for (Eigen::Index i = 0; i < cloud.points.rows(); ++i) {
-    appendRow<double>(out, cloud.points, i);
-    if (cloud.normals.rows() != 0) appendRow<double>(out, cloud.normals, i);
+    appendRow(out, cloud.points, i, floats);
+    if (cloud.normals.rows() != 0) appendRow(out, cloud.normals, i, true);
     if (cloud.colors.rows() != 0) appendRow(out, cloud.colors, i);
   }
   return out;

@@ -6,6 +6,7 @@
 
 #include "byte_order.h"
 #include "input.h"
+#include "single_precision.h"
 #include "text_reader.h"
 #include "text_writer.h"
 #include <string>
@@ -14,15 +15,17 @@ namespace posture {
 namespace {
 
 std::string toPly(const TriangleMesh& mesh, const Colors& colors) {
+  const bool floats = fitFloats(mesh.vertices);
   std::string out = "ply\nformat binary_little_endian 1.0\nelement vertex ";
   appendNumber(out, mesh.vertices.rows());
-  out += "\nproperty double x\nproperty double y\nproperty double z\n";
+  out += floats ? "\nproperty float x\nproperty float y\nproperty float z\n"
+                : "\nproperty double x\nproperty double y\nproperty double z\n";
   if (colors.rows() != 0) out += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   out += "element face ";
   appendNumber(out, mesh.faces.rows());
   out += "\nproperty list uchar int vertex_indices\nend_header\n";
   for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
-    for (int axis = 0; axis < 3; ++axis) appendLittle(out, mesh.vertices(v, axis));
+    for (int axis = 0; axis < 3; ++axis) appendReal(out, mesh.vertices(v, axis), floats);
     for (int c = 0; c < 3 && colors.rows() != 0; ++c) out += static_cast<char>(colors(v, c));
   }
   for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {

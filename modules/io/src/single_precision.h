@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 the posture authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <posture/core/types.h>
+
+namespace posture {
+
+/// Whether single precision moves every finite point by far less than neighbours are apart.
+bool fitFloats(const Points& points);
+
+}  // namespace posture
