@@ -708,6 +708,39 @@ std::vector<pcl::Vertices> withConcavePolygons(const TriangleMesh& mesh) {
   return polygons;
 }
 
+TEST(IsometricRegistration, pclMeshesInDoublePrecisionAreTaken) {
+  const Registered& r = registered();
+  const auto inDouble = [](const Cloud& cloud, const TriangleMesh& mesh) {
+    pcl::PolygonMesh polygons;
+    pcl::PCLPointCloud2& data = polygons.cloud;
+    data.height = 1;
+    data.width = static_cast<std::uint32_t>(cloud.size());
+    data.point_step = 3 * sizeof(double);
+    data.row_step = data.width * data.point_step;
+    for (int axis = 0; axis < 3; ++axis) {
+      pcl::PCLPointField field;
+      field.name = std::string(1, static_cast<char>('x' + axis));
+      field.offset = axis * static_cast<std::uint32_t>(sizeof(double));
+      field.datatype = pcl::PCLPointField::FLOAT64;
+      field.count = 1;
+      data.fields.push_back(field);
+    }
+    for (const auto& point : cloud)
+      for (const double coordinate : {point.x, point.y, point.z}) {
+        const auto* const bytes = reinterpret_cast<const std::uint8_t*>(&coordinate);
+        data.data.insert(data.data.end(), bytes, bytes + sizeof coordinate);
+      }
+    polygons.polygons = test::toPolygons(mesh.faces);
+    return polygons;
+  };
+  Registration registration;
+  registration.setSourceMesh(inDouble(*r.source, r.source_body.mesh));
+  registration.setTargetMesh(inDouble(*r.target, r.target_body.mesh));
+  Cloud output;
+  registration.align(output);
+  EXPECT_EQ(registration.getResult().deformed, r.registration.getResult().deformed);
+}
+
 TEST(IsometricRegistration, optionsAndPclMeshesAreTaken) {
   const Registered& r = registered();
   const auto polygonMesh = [](const Cloud& cloud, const TriangleMesh& mesh) {

@@ -23,13 +23,13 @@ namespace posture {
 /// thresholds, estimators and rejectors. Scans may be in different units.
 ///
 /// Inputs. Clouds, organised or not, in any frame and unit: points that are not finite were not
-/// seen. The whole of an organised cloud counts as one view, wherever it was moved; a sensor origin
-/// other than zero, which must then be in the frame of the points, helps to tell the outside. Those
-/// who have surfaces give them by setSourceMesh() and setTargetMesh(): they are used as they are,
-/// while through points alone a surface is laid first. With indices only the points they name take
-/// part, in their order, and of a mesh the triangles between them. Left and right are told apart by
-/// the outside of the surfaces: of a mesh that is inside out and more open than cleanMesh() can
-/// tell the mirror image is found.
+/// seen. The whole of an organised cloud counts as one view, wherever it was moved; the sensor
+/// origin, where the points may have been seen from there, helps to tell the outside. Those who
+/// have surfaces give them by setSourceMesh() and setTargetMesh(): they are used as they are, while
+/// through points alone a surface is laid first. With indices only the points they name take part,
+/// in their order, and of a mesh the triangles between them. Left and right are told apart by the
+/// outside of the surfaces: of a mesh that is inside out and more open than cleanMesh() can tell
+/// the mirror image is found.
 ///
 /// After align(output):
 ///  - output[i] is the i-th source point used, deformed onto the target, in the target's unit; its
@@ -97,7 +97,8 @@ class IsometricRegistration : public pcl::Registration<PointSource, PointTarget,
                      const std::vector<pcl::Vertices>& polygons);
   void setTargetMesh(const PointCloudTargetConstPtr& cloud,
                      const std::vector<pcl::Vertices>& polygons);
-  /// The same from PCL's mesh: its cloud, as pcl::fromPCLPointCloud2 reads it, becomes the input.
+  /// The same from PCL's mesh: its cloud, as pcl::fromPCLPointCloud2 reads it, becomes the input;
+  /// positions in double precision, which that does not read, are read as well.
   void setSourceMesh(const pcl::PolygonMesh& mesh);
   void setTargetMesh(const pcl::PolygonMesh& mesh);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <posture/registration/register_clouds.h>
+#include <posture/registration/single_precision.h>
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/conversions.h>
@@ -51,10 +52,18 @@ inline bool hasField(const pcl::PCLPointCloud2& cloud, const char* name) {
                      [&](const pcl::PCLPointField& field) { return field.name == name; });
 }
 
+/// None where the cloud has no positions.
+template <typename PointT>
+pcl::PointCloud<PointT> pointsOf(const pcl::PCLPointCloud2& cloud) {
+  pcl::PointCloud<PointT> points;
+  if (hasField(cloud, "x")) pcl::fromPCLPointCloud2(inSinglePrecision(cloud), points);
+  return points;
+}
+
 /// None where the cloud has none.
 inline Points toNormals(const pcl::PCLPointCloud2& normals) {
   pcl::PointCloud<pcl::Normal> cloud;
-  if (hasField(normals, "normal_x")) pcl::fromPCLPointCloud2(normals, cloud);
+  if (hasField(normals, "normal_x")) pcl::fromPCLPointCloud2(inSinglePrecision(normals), cloud);
   Points rows(static_cast<Eigen::Index>(cloud.size()), 3);
   for (std::size_t i = 0; i < cloud.size(); ++i)
     rows.row(static_cast<Eigen::Index>(i)) =
@@ -75,8 +84,8 @@ pcl::Indices allOf(const pcl::PointCloud<PointT>& cloud) {
   return indices;
 }
 
-/// The points of a cloud that take part. A whole organised cloud is one view; the sensor is known
-/// where it is not the origin, which clouds keep as they are moved into other frames.
+/// The points of a cloud that take part. A whole organised cloud is one view. Whether the sensor
+/// stood where the cloud says is left to the reconstruction: clouds keep the place when moved.
 /// \param normals  instead of those of the points, if there is one for each point of the input.
 template <typename PointT>
 CloudSide cloudSide(const pcl::PointCloud<PointT>& input,
@@ -99,8 +108,7 @@ CloudSide cloudSide(const pcl::PointCloud<PointT>& input,
   side.polygons = polygons;
   const bool is_grid = input.height > 1 && input.width > 1 && indices == allOf(input);
   if (is_grid) side.cloud.width = static_cast<int>(input.width);
-  const Eigen::Vector3d sensor = input.sensor_origin_.template head<3>().template cast<double>();
-  if (!sensor.isZero(0)) side.cloud.sensor = sensor;
+  side.cloud.sensor = input.sensor_origin_.template head<3>().template cast<double>();
   return side;
 }
 

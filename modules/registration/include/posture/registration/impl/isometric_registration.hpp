@@ -107,17 +107,15 @@ void IsometricRegistration<PointSource, PointTarget, Scalar>::setTargetMesh(
 template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricRegistration<PointSource, PointTarget, Scalar>::setSourceMesh(
     const pcl::PolygonMesh& mesh) {
-  auto cloud = pcl::make_shared<PointCloudSource>();
-  if (hasField(mesh.cloud, "x")) pcl::fromPCLPointCloud2(mesh.cloud, *cloud);
-  setSourceMesh(cloud, mesh.polygons);
+  setSourceMesh(pcl::make_shared<PointCloudSource>(pointsOf<PointSource>(mesh.cloud)),
+                mesh.polygons);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
 void IsometricRegistration<PointSource, PointTarget, Scalar>::setTargetMesh(
     const pcl::PolygonMesh& mesh) {
-  auto cloud = pcl::make_shared<PointCloudTarget>();
-  if (hasField(mesh.cloud, "x")) pcl::fromPCLPointCloud2(mesh.cloud, *cloud);
-  setTargetMesh(cloud, mesh.polygons);
+  setTargetMesh(pcl::make_shared<PointCloudTarget>(pointsOf<PointTarget>(mesh.cloud)),
+                mesh.polygons);
 }
 
 template <typename PointSource, typename PointTarget, typename Scalar>
