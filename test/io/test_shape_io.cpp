@@ -116,7 +116,7 @@ TEST(Pcd, asciiWithNormalsColoursAndUnseenPoints) {
   EXPECT_EQ(cloud.colors.row(0), (Eigen::Matrix<std::uint8_t, 1, 3>(2, 3, 4)));
   EXPECT_EQ(cloud.colors.row(2), (Eigen::Matrix<std::uint8_t, 1, 3>(0, 0, 255)));
   EXPECT_EQ(cloud.width, 0);
-  EXPECT_FALSE(cloud.sensor);
+  EXPECT_EQ(cloud.sensor, Eigen::Vector3d(0, 0, 0));
 }
 
 TEST(Pcd, binaryOfEveryTypeInAnyOrderPastWideFields) {
@@ -359,6 +359,26 @@ TEST(Table, numbersSayWhatTheColumnsAre) {
   expect("1 2 3 4 5\n6 7 8 9 10\n", false, false);
 }
 
+TEST(Table, anEndingSaysWhatTheNumbersLeaveOpen) {
+  const std::string pure = "1 2 3 0 0 1\n4 5 6 0 0 1\n";
+  EXPECT_EQ(readCloud("a.xyz", pure).normals.rows(), 2);
+  const PointCloud colored = readCloud("a.XYZRGB", pure);
+  EXPECT_EQ(colored.normals.rows(), 0);
+  EXPECT_EQ(colored.colors.rows(), 2);
+  const PointCloud directed = readCloud("a.xyzn", "1 2 3 0 0 2\n4 5 6 0 3 0\n");
+  EXPECT_EQ(directed.colors.rows(), 0);
+  EXPECT_EQ(Eigen::RowVector3d(directed.normals.row(1)), Eigen::RowVector3d(0, 3, 0));
+}
+
+TEST(Table, quotesHoldWordsTogether) {
+  for (const char* text : {"\"x\",\"y\",\"z\"\n\"1\",\"2.5\",\"-3\"\n\"4e2\",\"5\",\"6\"\n",
+                           "x,y,what,z\n1,2.5,\"hat, #1\",-3\n4e2,5,\"a \"\"b\"\";\",6\n",
+                           "x y what z\n1 2.5 \"left // foot\" -3\n4e2 5 7\" 6\n"}) {
+    SCOPED_TRACE(text);
+    expectSame(readCloud("a.csv", text).points, TWO);
+  }
+}
+
 TEST(Table, countsAreChecked) {
   expectSame(readCloud("a.pts", "1\n1 2.5 -3\n1\n4e2 5 6\n").points, TWO);
   EXPECT_THAT(messageOf("a.pts", "3\n1 2 3\n4 5 6\n"), HasSubstr("it says 3 points and has 2"));
@@ -461,6 +481,20 @@ TEST(WritePointCloud, comesBackTheSame) {
         EXPECT_EQ(back.cloud.width, 0);
         EXPECT_EQ(back.faces.rows(), 0);
       }
+}
+
+TEST(WritePointCloud, plyIsDoubleWhereFloatsWouldMovePoints) {
+  const TemporaryFolder folder;
+  PointCloud cloud = randomCloud(12, true, false);
+  for (const double off : {0.1, 5e5}) {
+    cloud.points += Points::Constant(12, 3, off);
+    writePointCloud(folder / "a.ply", cloud);
+    EXPECT_THAT(test::bytesOf(folder / "a.ply"),
+                HasSubstr(off < 1 ? "\nproperty float z\nproperty float nx"
+                                  : "\nproperty double z\nproperty float nx"));
+    const Points back = readShape(folder / "a.ply").cloud.points;
+    EXPECT_LT((back - cloud.points).cwiseAbs().maxCoeff(), off < 1 ? 1e-5 : 1e-12);
+  }
 }
 
 TEST(WritePointCloud, pcdIsDoubleWhereFloatsWouldMovePoints) {

@@ -97,5 +97,23 @@ TEST(Orientation, doesNotBelieveASensorThatSawOneSideOfABodyOnly) {
   }
 }
 
+TEST(Orientation, goesByNormalsWhereASensorDidNotSeeThePoints) {
+  const Points sphere = test::spherePoints(8000, 0);
+  std::vector<int> upper;
+  for (int i = 0; i < sphere.rows(); ++i)
+    if (sphere(i, 2) > 0) upper.push_back(i);
+  const Points bowl = sphere(upper, Eigen::all);
+  const Eigen::RowVector3d beside(5, 0, 0);
+  const Points directions = ((-bowl).rowwise() + beside).rowwise().normalized();
+  for (const double side : {1.0, -1.0}) {
+    Points normals = scrambled(bowl, 6);
+    const OrientationSummary summary =
+        orient(bowl, {directions, HintSource::SENSOR, side * bowl}, normals);
+    EXPECT_FALSE(summary.by_sensor);
+    EXPECT_TRUE(summary.by_normals);
+    EXPECT_EQ(agreeing(normals, side * bowl), bowl.rows());
+  }
+}
+
 }  // namespace
 }  // namespace posture

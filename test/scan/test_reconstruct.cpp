@@ -269,10 +269,29 @@ TEST(Reconstruct, looksAtTheSensorOfAView) {
     const ScanSurface surface = reconstruct(view);
     EXPECT_TRUE(surface.summary.oriented_by_sensor);
     EXPECT_EQ(surface.summary.boundary_loops, 1);
-    const Points normals = vertexNormals(surface.mesh);
-    for (int v = 0; v < normals.rows(); ++v)
-      EXPECT_LT(normals.row(v).dot(surface.mesh.vertices.row(v) - center), 0);
+    for (const auto& face : surface.mesh.faces.rowwise()) {
+      const Eigen::RowVector3d corner = surface.mesh.vertices.row(face[0]);
+      const Eigen::RowVector3d normal = (surface.mesh.vertices.row(face[1]) - corner)
+                                            .cross(surface.mesh.vertices.row(face[2]) - corner);
+      EXPECT_LT(normal.dot(corner), 1e-6);  // points of one column are seen edge on
+    }
   }
+}
+
+TEST(Reconstruct, asksNoSensorThatWouldSeeASpeck) {
+  Points cap = test::spherePoints(8000, 0);
+  std::vector<int> upper;
+  for (int i = 0; i < cap.rows(); ++i)
+    if (cap(i, 2) > 0.2) upper.push_back(i);
+  PointCloud cloud;
+  cloud.points = cap(upper, Eigen::all);
+  cloud.sensor = Eigen::Vector3d(0, 0, 20);
+  EXPECT_TRUE(reconstruct(cloud).summary.oriented_by_sensor);
+  // Where the origin of a map is.
+  cloud.sensor = Eigen::Vector3d(0, 0, -5e4);
+  const ScanSurface surface = reconstruct(cloud);
+  EXPECT_FALSE(surface.summary.oriented_by_sensor);
+  EXPECT_GT(vertexNormals(surface.mesh).col(2).mean(), 0);
 }
 
 TEST_P(ReconstructTorus, doesNotDependOnThreads) {

@@ -126,6 +126,7 @@ ScanSurface reconstruct(const PointCloud& cloud, const ReconstructionOptions& op
 
   OutsideHints hints = outsideHints(cloud, distinct.input);
   hints.directions *= distinct.frame.axes;
+  hints.normals *= distinct.frame.axes;
   std::optional<PointSurface> clean;
   if (options.surface == SurfaceMethod::TANGENT_DELAUNAY)
     clean = surfaceOfCleanPoints(distinct.points, hints, summary);

@@ -15,6 +15,7 @@
 #include "points/outliers.h"
 #include "surface/doubts.h"
 #include "surface/finished_surface.h"
+#include "surface/repair.h"
 #include <algorithm>
 
 namespace posture {
@@ -67,6 +68,22 @@ void separate(PointSurface& surface, int point_count) {
   }
 }
 
+/// Pin holes along the rim of what was seen are closed by faces of the back, too.
+void leaveOutBacks(const Points& to_sensor, PointSurface& surface) {
+  TriangleMesh& mesh = surface.mesh;
+  const Points towards = to_sensor(surface.point, Eigen::all);
+  std::vector<int> facing;
+  for (int f = 0; f < mesh.faces.rows(); ++f)
+    if (!looksAway({mesh.faces(f, 0), mesh.faces(f, 1), mesh.faces(f, 2)}, mesh.vertices, towards))
+      facing.push_back(f);
+  const Faces faces = mesh.faces(facing, Eigen::all);
+  mesh.faces = largestFans(faces, static_cast<int>(mesh.vertices.rows()));
+  std::vector<int> kept;
+  mesh = withoutLooseVertices(mesh, kept);
+  for (int& v : kept) v = surface.point[v];
+  surface.point = std::move(kept);
+}
+
 }  // namespace
 
 std::optional<PointSurface> surfaceOfCleanPoints(const Points& given,
@@ -94,7 +111,8 @@ std::optional<PointSurface> surfaceOfCleanPoints(const Points& given,
   OrientationSummary orientation;
   const Points normals = poleNormals(points, stars, spheres, h, hints, orientation);
   const std::vector<char> inside = insideByCut(points, stars, spheres, normals);
-  PointSurface surface = cutSurface(points, *tetrahedra, inside, h);
+  const Points to_sensor = orientation.by_sensor ? hints.directions : Points(0, 3);
+  PointSurface surface = cutSurface(points, *tetrahedra, inside, h, to_sensor);
 
   int dropped = 0;
   std::vector<int> on_surface;
@@ -102,6 +120,7 @@ std::optional<PointSurface> surfaceOfCleanPoints(const Points& given,
   surface.mesh.faces = withLessCurvature(surface.mesh);
   for (int& v : on_surface) v = surface.point[v];
   surface.point = std::move(on_surface);
+  if (to_sensor.rows() > 0) leaveOutBacks(to_sensor, surface);
   if (!isPlausible(surface, n)) return std::nullopt;
 
   const Points vertex_normals = normals(surface.point, Eigen::all);

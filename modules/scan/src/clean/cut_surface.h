@@ -4,6 +4,7 @@
 
 #include "clean/delaunay.h"
 #include "points/spacing.h"
+#include <array>
 #include <vector>
 
 namespace posture {
@@ -14,12 +15,18 @@ struct PointSurface {
   std::vector<int> point;  ///< of each vertex; -1: beside a point that has another vertex
 };
 
+/// Whether from where each of its corners was seen only the back of a face shows.
+/// \param to_sensor  n x 3: the way from each point to there, zero where unknown; 0 x 3: not known.
+bool looksAway(const std::array<int, 3>& face, const Points& points, const Points& to_sensor);
+
 /// The faces between inside and outside, manifold and oriented: where sheets touch in an edge or a
 /// point, each has its own vertices there. Faces longer than the reach of their corners are left
-/// out, and those nearly as long that make a handle: a bridge between two limbs.
+/// out, and those nearly as long that make a handle: a bridge between two limbs. So are those that
+/// look away from the sensor: tetrahedra have a back where points of one side have none.
 PointSurface cutSurface(const Points& points,
                         const Tetrahedra& tetrahedra,
                         const std::vector<char>& inside,
-                        const Spacing& spacing);
+                        const Spacing& spacing,
+                        const Points& to_sensor);
 
 }  // namespace posture

@@ -86,8 +86,8 @@ Points poleNormals(const Points& points,
   std::iota(all.begin(), all.end(), 0);
   const bool is_misplaced =
       hints.source == HintSource::SENSOR && !isSeen(hints, normals, std::vector<int>(n, 0));
-  if (looksInward(points, normals, all, spacing, is_misplaced ? OutsideHints() : hints, summary))
-    normals *= -1;
+  const OutsideHints trusted = is_misplaced ? withoutSensor(hints) : hints;
+  if (looksInward(points, normals, all, spacing, trusted, summary)) normals *= -1;
   return normals;
 }
 

@@ -50,14 +50,17 @@ void requireBreadth(const Points& points) {
 /// One point a cell, where the surface shows only in the mean of many.
 ScanPoints averaged(const ScanPoints& scan, double side) {
   const Cells cells = averageInCells(scan.points, side);
-  ScanPoints fewer{cells.means, {Points(), scan.hints.source}};
-  if (scan.hints.directions.rows() > 0) {
-    Points& sums = fewer.hints.directions = Points::Zero(cells.means.rows(), 3);
-    for (int i = 0; i < scan.points.rows(); ++i)
-      sums.row(cells.cell[i]) += scan.hints.directions.row(i);
+  const auto meanDirections = [&](const Points& directions) {
+    if (directions.rows() == 0) return directions;
+    Points sums = Points::Zero(cells.means.rows(), 3);
+    for (int i = 0; i < scan.points.rows(); ++i) sums.row(cells.cell[i]) += directions.row(i);
     for (int c = 0; c < sums.rows(); ++c) sums.row(c).normalize();  // 0, not known, stays 0
-  }
-  return fewer;
+    return sums;
+  };
+  return {cells.means,
+          {meanDirections(scan.hints.directions),
+           scan.hints.source,
+           meanDirections(scan.hints.normals)}};
 }
 
 }  // namespace

@@ -142,8 +142,15 @@ HintVote vote(const Points& directions, const Points& normals, const std::vector
 }  // namespace
 
 OutsideHints rowsOf(const OutsideHints& hints, const std::vector<int>& rows) {
-  if (hints.directions.rows() == 0) return hints;
-  return {hints.directions(rows, Eigen::all), hints.source};
+  OutsideHints some{hints.directions, hints.source, hints.normals};
+  for (Points* part : {&some.directions, &some.normals})
+    if (part->rows() > 0) *part = Points((*part)(rows, Eigen::all));
+  return some;
+}
+
+OutsideHints withoutSensor(const OutsideHints& hints) {
+  if (hints.normals.rows() == 0) return {};
+  return {hints.normals, HintSource::NORMALS, Points(0, 3)};
 }
 
 bool isSeen(const OutsideHints& hints, const Points& normals, const std::vector<int>& part_of) {
@@ -201,7 +208,7 @@ OrientationSummary orientNormals(const Points& points,
       addSensorLinks(hints.directions, normals, links);
       propagated = propagate(links, normals);
     } else {
-      hints = {};
+      hints = withoutSensor(given);
     }
   }
   normals = std::move(propagated.normals);

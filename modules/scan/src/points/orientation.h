@@ -19,10 +19,14 @@ enum class HintSource {
 struct OutsideHints {
   Points directions;  ///< n x 3: unit vectors that point outwards, zero where unknown; or 0 x 3
   HintSource source = HintSource::NONE;
+  Points normals = Points(0, 3);  ///< given ones, for where the sensor did not see the points
 };
 
 /// What they tell of some of the points.
 OutsideHints rowsOf(const OutsideHints& hints, const std::vector<int>& rows);
+
+/// What is left to go by where the sensor did not see the points: their normals, or nothing.
+OutsideHints withoutSensor(const OutsideHints& hints);
 
 /// Whether a sensor saw points from where it is said to be: a part of them looks towards it as a
 /// whole, or, with all its normals turned round, away from it. Views that were put into one file,

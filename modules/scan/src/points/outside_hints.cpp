@@ -40,14 +40,18 @@ Eigen::RowVector3d towardsEye(const PointCloud& cloud, int cell) {
   return unitOrZero(unitOrZero(down).cross(unitOrZero(right)));
 }
 
-/// Whether a place is in the middle of some points. There no scanner stood: points that were moved
-/// often keep the place they had, or the origin.
-bool isAmong(const Eigen::Vector3d& place, const Points& points, const std::vector<int>& rows) {
-  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-  for (const int row : rows) sum += unitOrZero(points.row(row) - place.transpose());
+/// Whether points may have been seen from a place: not from the middle of them, nor from where they
+/// are a speck, as the origin of a map is. Points that were moved often keep the place they had, or
+/// the origin.
+bool isOutlook(const Eigen::Vector3d& place, const Points& points, const std::vector<int>& rows) {
   // The mean direction of what fills less than half of all is longer.
   constexpr double HALF_SPACE = 0.5;
-  return sum.norm() < HALF_SPACE * static_cast<double>(rows.size());
+  // Within a fifth of a degree: a person at some 400 metres.
+  constexpr double SPECK = 1e-6;
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  for (const int row : rows) sum += unitOrZero(points.row(row) - place.transpose());
+  const double mean = sum.norm() / static_cast<double>(rows.size());
+  return mean >= HALF_SPACE && 1 - mean > SPECK;
 }
 
 /// Whether a depth image was taken from a place: its rows then lie in planes through it, to a
@@ -87,7 +91,7 @@ bool isEye(const Eigen::Vector3d& place, const PointCloud& image) {
 /// Whether a scanner may have stood where the cloud says.
 bool isKnown(const PointCloud& cloud, const std::vector<int>& rows, bool is_image) {
   const auto& sensor = cloud.sensor;
-  return sensor && sensor->allFinite() && !isAmong(*sensor, cloud.points, rows) &&
+  return sensor && sensor->allFinite() && isOutlook(*sensor, cloud.points, rows) &&
          !(is_image && !isEye(*sensor, cloud));
 }
 
@@ -96,22 +100,23 @@ bool isKnown(const PointCloud& cloud, const std::vector<int>& rows, bool is_imag
 OutsideHints outsideHints(const PointCloud& cloud, const std::vector<int>& rows) {
   OutsideHints hints;
   const bool is_image = cloud.width > 1 && cloud.points.rows() > cloud.width;
-  if (isKnown(cloud, rows, is_image))
+  const auto forEachRow = [&](auto&& direction) {
+    Points directions(static_cast<Eigen::Index>(rows.size()), 3);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      directions.row(static_cast<Eigen::Index>(i)) = direction(rows[i]);
+    return directions;
+  };
+  if (cloud.normals.rows() > 0)
+    hints.normals = forEachRow([&](int row) { return unitOrZero(cloud.normals.row(row)); });
+  if (isKnown(cloud, rows, is_image)) {
     hints.source = HintSource::SENSOR;
-  else if (is_image)
+    hints.directions = forEachRow(
+        [&](int row) { return unitOrZero(cloud.sensor->transpose() - cloud.points.row(row)); });
+  } else if (is_image) {
     hints.source = HintSource::GRID;
-  else if (cloud.normals.rows() > 0)
-    hints.source = HintSource::NORMALS;
-  else
-    return hints;
-  hints.directions.resize(static_cast<Eigen::Index>(rows.size()), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const int row = rows[i];
-    hints.directions.row(static_cast<Eigen::Index>(i)) =
-        hints.source == HintSource::SENSOR
-            ? unitOrZero(cloud.sensor->transpose() - cloud.points.row(row))
-        : hints.source == HintSource::GRID ? towardsEye(cloud, row)
-                                           : unitOrZero(cloud.normals.row(row));
+    hints.directions = forEachRow([&](int row) { return towardsEye(cloud, row); });
+  } else {
+    hints = withoutSensor(hints);
   }
   return hints;
 }
