@@ -3,6 +3,7 @@
 #include "nearest_rows.h"
 
 #include "block_products.h"
+#include "nearer_rows.h"
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -27,13 +28,16 @@ enum class Order { AS_GIVEN, NEAR_EACH_OTHER };
 struct GroupedPoints {
   GroupedPoints(const MatrixXf& rows, Order order);
 
-  int groups() const { return (static_cast<int>(row.size()) + GROUP - 1) / GROUP; }
-  int size(int group) const {
-    return std::min(GROUP, static_cast<int>(row.size()) - group * GROUP);
-  }
+  int groups() const { return static_cast<int>(row.size()) / GROUP; }
+  int size(int group) const { return std::min(GROUP, count - group * GROUP); }
 
   /// GROUP rows, column-major; zeros where there are fewer points.
   const float* points(int group) const { return blocks.col(group).data(); }
+
+  BlockOfRows block(int group) {
+    const int first = group * GROUP;
+    return {half.data() + first, row.data() + first, least.data() + first, nearest.data() + first};
+  }
 
   /// Half the squared distance within which each point of the group has a neighbour.
   float reach(int group) const {
@@ -44,15 +48,17 @@ struct GroupedPoints {
   /// For each row as given.
   std::vector<int> found() const {
     std::vector<int> found(given_count, 0);
-    for (std::size_t i = 0; i < row.size(); ++i) found[row[i]] = nearest[i];
+    for (int i = 0; i < count; ++i) found[row[i]] = nearest[i];
     return found;
   }
 
-  std::size_t given_count;   // of points
-  int dimensions;            // of each
+  std::size_t given_count;  // of points
+  int dimensions;           // of each
+  int count = 0;            // of those that are finite
+  MatrixXf blocks;          // a column a group
+  // Up to the end of the last group.
   std::vector<int> row;      // as given
-  MatrixXf blocks;           // a column a group
-  VectorXf half;             // of the squared norms
+  VectorXf half;             // of the squared norms; infinite where there are fewer points
   VectorXf least;            // half the squared distance to the nearest, less `half`
   std::vector<int> nearest;  // its row
 
@@ -66,21 +72,23 @@ GroupedPoints::GroupedPoints(const MatrixXf& rows, Order order)
   const VectorXf squared = given.colwise().squaredNorm();
   for (int i = 0; i < squared.size(); ++i)
     if (std::isfinite(squared[i])) row.push_back(i);
-  const auto finite = static_cast<int>(row.size());
-  if (order == Order::NEAR_EACH_OTHER) arrange(given, 0, finite);
+  count = static_cast<int>(row.size());
+  if (order == Order::NEAR_EACH_OTHER) arrange(given, 0, count);
+  row.resize((count + GROUP - 1) / GROUP * GROUP, std::numeric_limits<int>::max());
   blocks = MatrixXf::Zero(GROUP * dimensions, groups());
   for (int g = 0; g < groups(); ++g)
     for (int i = 0; i < size(g); ++i)
       for (int d = 0; d < dimensions; ++d) blocks(GROUP * d + i, g) = given(d, row[g * GROUP + i]);
-  half = 0.5f * squared(row);
-  least = VectorXf::Constant(finite, INFINITE);
-  nearest.assign(finite, 0);
+  half = VectorXf::Constant(static_cast<Eigen::Index>(row.size()), INFINITE);
+  for (int i = 0; i < count; ++i) half[i] = 0.5f * squared[row[i]];
+  least = VectorXf::Constant(half.size(), INFINITE);
+  nearest.assign(row.size(), 0);
 }
 
 /// Halves a range where it is widest, down to groups of which all but the last are full.
 void GroupedPoints::arrange(const MatrixXf& given, int begin, int end) {
-  const int count = (end - begin + GROUP - 1) / GROUP;
-  if (count <= 1) return;
+  const int group_count = (end - begin + GROUP - 1) / GROUP;
+  if (group_count <= 1) return;
   VectorXf from = given.col(row[begin]), to = from;
   for (int i = begin + 1; i < end; ++i) {
     from = from.cwiseMin(given.col(row[i]));
@@ -88,7 +96,7 @@ void GroupedPoints::arrange(const MatrixXf& given, int begin, int end) {
   }
   Eigen::Index widest = 0;
   (to - from).maxCoeff(&widest);
-  const int middle = begin + GROUP * ((count + 1) / 2);
+  const int middle = begin + GROUP * ((group_count + 1) / 2);
   std::nth_element(row.begin() + begin, row.begin() + middle, row.begin() + end, [&](int x, int y) {
     return std::make_pair(given(widest, x), x) < std::make_pair(given(widest, y), y);
   });
@@ -120,7 +128,8 @@ struct Boxes {
 std::vector<GroupPair> groupPairs(const GroupedPoints& a, const GroupedPoints& b) {
   if (a.groups() == 0 || b.groups() == 0) return {};
   // What half a squared distance may be off by when it comes from a product.
-  const float rounding = 1e-5f * (a.half.maxCoeff() + b.half.maxCoeff());
+  const float rounding =
+      1e-5f * (a.half.head(a.count).maxCoeff() + b.half.head(b.count).maxCoeff());
   const Boxes box_a(a), box_b(b);
   std::vector<GroupPair> pairs;
   pairs.reserve(static_cast<std::size_t>(a.groups()) * b.groups());
@@ -138,36 +147,9 @@ std::vector<GroupPair> groupPairs(const GroupedPoints& a, const GroupedPoints& b
 
 /// All points of two groups with each other; one block of products serves both directions.
 void compare(GroupedPoints& a, int group_a, GroupedPoints& b, int group_b) {
-  const int first_a = group_a * GROUP, first_b = group_b * GROUP;
-  const int na = a.size(group_a), nb = b.size(group_b);
   float products[GROUP * GROUP];
   multiplyRows(a.points(group_a), b.points(group_b), a.dimensions, products);
-  const float* const half = a.half.data() + first_a;
-  const int* const row = a.row.data() + first_a;
-  float* const least = a.least.data() + first_a;
-  int* const nearest = a.nearest.data() + first_a;
-  for (int j = 0; j < nb; ++j) {
-    const float* const product = products + GROUP * j;
-    const float offset = b.half[first_b + j];
-    const int row_b = b.row[first_b + j];
-    float best = INFINITE;
-    // Without branches: vectorized.
-    for (int i = 0; i < na; ++i) {
-      const float d = offset - product[i];
-      const bool less = (d < least[i]) | ((d == least[i]) & (row_b < nearest[i]));
-      least[i] = less ? d : least[i];
-      nearest[i] = less ? row_b : nearest[i];
-    }
-    for (int i = 0; i < na; ++i) best = std::min(best, half[i] - product[i]);
-    float& least_b = b.least[first_b + j];
-    int& nearest_b = b.nearest[first_b + j];
-    if (best > least_b) continue;
-    for (int i = 0; i < na; ++i)
-      if (half[i] - product[i] == best && (best < least_b || row[i] < nearest_b)) {
-        least_b = best;
-        nearest_b = row[i];
-      }
-  }
+  takeNearer(products, a.block(group_a), b.block(group_b));
 }
 
 }  // namespace
