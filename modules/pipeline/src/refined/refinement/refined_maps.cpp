@@ -13,6 +13,7 @@
 #include "refined/refinement/judge_by_ends.h"
 #include "refined/refinement/work_surfaces.h"
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace posture {
@@ -218,23 +219,33 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                           target_work,
                                           finalist.maps);
   });
-  std::vector<RefinedMap> refined(finalists.size() * WAYS);
-  parallelFor(static_cast<int>(refined.size()), [&](int i) {
-    RefinedMap& map = refined[i];
+  std::vector<std::optional<RefinedMap>> settled(finalists.size() * WAYS);
+  parallelFor(static_cast<int>(settled.size()), [&](int i) {
+    const Finalist& finalist = *finalists[i / WAYS];
+    RefinedMap map;
     map.finalist = i / WAYS;
-    map.scale = finalists[map.finalist]->scale;
-    map.found = {finalists[map.finalist]->laid, may_lack};
+    map.scale = finalist.scale;
+    map.found = {finalist.laid, may_lack};
     map.pair = starts[map.finalist];
     const SpectralSurface& work = surfaces.source(map.scale);
     const double softness = settlingSoftness(work, target_work);
-    settleBy(static_cast<Way>(i % WAYS), softness, work, target_work, map.pair);
-    map.score = finalists[map.finalist]->bent
-                    ? scoreBent(work, target_work, map.pair, map.found.laid)
-                    : scoreMaps(work, target_work, map.pair.maps);
-    if (!may_lack || map.found.laid) return;
-    changeUnlessTorn(
-        map, [&](RefinedMap& loose) { letGoOfWhatIsSqueezed(work, target_work, softness, loose); });
+    try {
+      settleBy(static_cast<Way>(i % WAYS), softness, work, target_work, map.pair);
+    } catch (const TornSurface&) {  // the others may settle
+      return;
+    }
+    map.score = finalist.bent ? scoreBent(work, target_work, map.pair, map.found.laid)
+                              : scoreMaps(work, target_work, map.pair.maps);
+    if (may_lack && !map.found.laid)
+      changeUnlessTorn(map, [&](RefinedMap& loose) {
+        letGoOfWhatIsSqueezed(work, target_work, softness, loose);
+      });
+    settled[i] = std::move(map);
   });
+  std::vector<RefinedMap> refined;
+  for (std::optional<RefinedMap>& map : settled)
+    if (map) refined.push_back(std::move(*map));
+  if (refined.empty()) throw TornSurface("a surface is too torn to settle on the other");
   sortByScore(refined);
   judgeByEnds(source, target, surfaces, may_lack, refined);
   return refined;

@@ -34,6 +34,7 @@ struct RefinedMap {
 /// Takes finalists to the work meshes, settled there, and compares them; the best first.
 /// \param may_lack  whether a side may lack a part that the other one has: what a map squeezes so
 ///                  badly that its score says nothing of the rest is then let go of.
+/// \throws TornSurface  a surface is too torn to be bent, by any of them
 std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
                                         const RefinedShape& target,
                                         bool may_lack,
