@@ -109,8 +109,8 @@ std::vector<std::vector<int>> TargetMetric::groupByStart(const std::vector<Route
 }
 
 bool TargetMetric::samePlace(int a, int b) const {
-  return a == b || (surface_.clean_vertex[a] == surface_.clean_vertex[b] &&
-                    surface_.offset[a] == 0 && surface_.offset[b] == 0);
+  return a == b || (surface_.clean_vertex[a] == surface_.clean_vertex[b] && surface_.isOnMain(a) &&
+                    surface_.isOnMain(b));
 }
 
 double TargetMetric::lengthTo(int from, int to, const GeodesicField& field) const {
@@ -174,8 +174,8 @@ std::vector<int> TargetMetric::edgeCounts(const std::vector<Route>& routes) cons
       for (int r : groups[g]) {
         const int from = routes[r].from, to = routes[r].to.vertex;
         if (from == to) continue;
-        counts[r] = search.steps(surface_.clean_vertex[to]) + (surface_.offset[from] > 0) +
-                    (surface_.offset[to] > 0);
+        counts[r] = search.steps(surface_.clean_vertex[to]) + !surface_.isOnMain(from) +
+                    !surface_.isOnMain(to);
       }
     }
   });

@@ -1,17 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <posture/core/rng.h>
 #include <posture/core/unions.h>
 #include <posture/mesh/areas.h>
 #include <posture/mesh/background.h>
 #include <posture/mesh/require_mesh.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
+#include "sampled_planes.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -20,158 +19,10 @@
 namespace posture {
 namespace {
 
-/// Lengths are in square roots of the area, areas as shares of it.
-constexpr int SAMPLES = 4096, SEEDS = 256;
-
-/// How far around a seed a plane is begun with, and how far from it such a plane may be.
-constexpr double SEED_RADIUS = 0.06, SEED_REACH = 0.005;
-
-/// How thick a scanner makes a plane, at least and at most.
-constexpr double LEAST_REACH = 0.002, MOST_REACH = 0.015;
-
-/// Of what is within the most, what is within half of it: of a part of a body that is nearly flat
-/// hardly more than half.
-constexpr double LEAST_DENSE = 0.85;
-
-/// Of the area: smaller planes are parts of bodies, or hardly matter.
-constexpr double LEAST_PLANE = 0.05;
-
-/// The same, of what is in none of the planes: without it there is no body.
+/// Of the area, what is in none of the planes: without it there is no body.
 constexpr double LEAST_BODY = 0.01;
 
 constexpr int MOST_PLANES = 4;
-
-/// Cosine: faces in a plane look that much along its normal.
-constexpr double ALONG_NORMAL = 0.7;
-
-/// Evenly over the area, in a unit in which that is one.
-struct AreaSamples {
-  explicit AreaSamples(const TriangleMesh& mesh);
-
-  Points points, normals;
-};
-
-AreaSamples::AreaSamples(const TriangleMesh& mesh)
-    : points(Points::Zero(SAMPLES, 3)), normals(Points::Zero(SAMPLES, 3)) {
-  const Vector areas = faceAreas(mesh);
-  const double total = areas.sum(), unit = 1 / std::sqrt(total);
-  Rng rng(1);
-  double before = 0;
-  int sample = 0;
-  for (int f = 0; f < mesh.faces.rows(); ++f) {
-    const double after = before + areas[f];
-    const Eigen::RowVector3d a = mesh.vertices.row(mesh.faces(f, 0)),
-                             ab = mesh.vertices.row(mesh.faces(f, 1)) - a,
-                             ac = mesh.vertices.row(mesh.faces(f, 2)) - a;
-    const Eigen::RowVector3d normal = ab.cross(ac).normalized();
-    for (; sample < SAMPLES && (sample + 0.5) * total < after * SAMPLES; ++sample) {
-      double u = rng.uniform(), v = rng.uniform();
-      if (u + v > 1) {
-        u = 1 - u;
-        v = 1 - v;
-      }
-      points.row(sample) = unit * (a + u * ab + v * ac);
-      normals.row(sample) = normal;
-    }
-    before = after;
-  }
-  points.conservativeResize(sample, 3);
-  normals.conservativeResize(sample, 3);
-}
-
-struct Plane {
-  Eigen::RowVector3d normal = Eigen::RowVector3d::Zero();
-  double offset = 0;
-  double reach = SEED_REACH;  ///< what lies as far from it is in it
-
-  double height(const Eigen::RowVector3d& point) const { return point.dot(normal) - offset; }
-
-  bool holds(const AreaSamples& samples, int i) const {
-    return std::abs(height(samples.points.row(i))) <= reach &&
-           std::abs(samples.normals.row(i).dot(normal)) > ALONG_NORMAL;
-  }
-};
-
-/// The plane that fits some samples best, and how far they are from it (root of the mean square).
-std::pair<Plane, double> fitPlane(const AreaSamples& samples, const std::vector<int>& some) {
-  const Points points = samples.points(some, Eigen::all);
-  const Eigen::RowVector3d mean = points.colwise().mean();
-  const Points about = points.rowwise() - mean;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> moments(about.transpose() * about);
-  Plane plane;
-  plane.normal = moments.eigenvectors().col(0).transpose();
-  plane.offset = mean.dot(plane.normal);
-  const double sum = std::max(0.0, moments.eigenvalues()[0]);
-  return {plane, std::sqrt(sum / static_cast<double>(some.size()))};
-}
-
-std::vector<int> heldBy(const Plane& plane,
-                        const AreaSamples& samples,
-                        const std::vector<int>& among) {
-  std::vector<int> held;
-  std::copy_if(among.begin(), among.end(), std::back_inserter(held), [&](int i) {
-    return plane.holds(samples, i);
-  });
-  return held;
-}
-
-/// The plane through a sample and what is near it, if that is flat.
-std::optional<Plane> planeAround(int seed,
-                                 const AreaSamples& samples,
-                                 const std::vector<int>& among) {
-  std::vector<int> near;
-  const Eigen::RowVector3d center = samples.points.row(seed);
-  std::copy_if(among.begin(), among.end(), std::back_inserter(near), [&](int i) {
-    return (samples.points.row(i) - center).squaredNorm() < SEED_RADIUS * SEED_RADIUS;
-  });
-  constexpr std::size_t ENOUGH = 8;
-  if (near.size() < ENOUGH) return std::nullopt;
-  const auto [plane, scatter] = fitPlane(samples, near);
-  return scatter < SEED_REACH ? std::optional(plane) : std::nullopt;
-}
-
-/// How far what is in a plane lies from it; none: it is no plane, or holds few of some samples.
-std::optional<double> reachOf(Plane plane,
-                              const AreaSamples& samples,
-                              const std::vector<int>& among) {
-  plane.reach = MOST_REACH;
-  std::vector<double> distances;
-  for (int i : heldBy(plane, samples, among))
-    distances.push_back(std::abs(plane.height(samples.points.row(i))));
-  std::sort(distances.begin(), distances.end());
-  const auto n = static_cast<double>(distances.size());
-  const auto near =
-      std::upper_bound(distances.begin(), distances.end(), 0.5 * MOST_REACH) - distances.begin();
-  if (n < LEAST_PLANE * SAMPLES || static_cast<double>(near) < LEAST_DENSE * n) return std::nullopt;
-  // Twice what 95 in 100 lie within is four deviations, three of vertices, which scatter more.
-  const double most = distances[static_cast<std::size_t>(0.95 * n)];
-  return std::clamp(2 * most, LEAST_REACH, MOST_REACH);
-}
-
-/// The plane that holds most of some samples, as thick as they make it; none: it holds few.
-std::optional<Plane> largestPlane(const AreaSamples& samples, const std::vector<int>& among) {
-  std::optional<Plane> best;
-  std::size_t most = 0;
-  const std::size_t step = std::max<std::size_t>(1, among.size() / SEEDS);
-  for (std::size_t k = 0; k < among.size(); k += step) {
-    const std::optional<Plane> plane = planeAround(among[k], samples, among);
-    if (!plane) continue;
-    const std::size_t held = heldBy(*plane, samples, among).size();
-    if (held <= most) continue;
-    most = held;
-    best = plane;
-  }
-  constexpr int ROUNDS = 3;
-  for (int round = 0; round < ROUNDS; ++round) {
-    const std::vector<int> held = best ? heldBy(*best, samples, among) : std::vector<int>();
-    if (held.size() < LEAST_PLANE * SAMPLES) return std::nullopt;
-    best = fitPlane(samples, held).first;
-  }
-  const std::optional<double> reach = reachOf(*best, samples, among);
-  if (!reach) return std::nullopt;
-  best->reach = *reach;
-  return best;
-}
 
 /// Where a point lies along a plane.
 class Along {
@@ -314,7 +165,7 @@ std::vector<Plane> backgroundPlanes(const AreaSamples& samples) {
         std::remove_if(body.begin(), body.end(), [&](int i) { return plane->holds(samples, i); }),
         body.end());
   }
-  if (body.size() < LEAST_BODY * SAMPLES) return {};
+  if (body.size() < LEAST_BODY * AreaSamples::MOST) return {};
   for (Plane& plane : planes)
     if (isBehind(samples, body, plane)) background.push_back(plane);
   return background;

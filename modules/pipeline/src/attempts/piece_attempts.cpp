@@ -62,7 +62,7 @@ std::vector<PartPair> partPairs(const GivenShape& source, const GivenShape& targ
 std::vector<char> restOf(const CleanMesh& whole, const CleanMesh& part) {
   std::vector<char> rest(static_cast<std::size_t>(whole.offset.size()), 0);
   for (Eigen::Index v = 0; v < whole.offset.size(); ++v)
-    rest[static_cast<std::size_t>(v)] = part.offset[v] > 0 && !(whole.offset[v] > 0);
+    rest[static_cast<std::size_t>(v)] = !part.isOnMain(v) && whole.isOnMain(v);
   return rest;
 }
 

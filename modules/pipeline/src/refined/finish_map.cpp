@@ -55,9 +55,9 @@ Correspondence refinedAlternative(const ChosenMap& chosen, int begun_from, doubl
                        target.shape,
                        toFullResolution(source.shape, target.shape, map),
                        trust);
-  const Vector& offset = source.given.clean.offset;
-  for (Eigen::Index v = 0; v < offset.size(); ++v)
-    if (offset[v] > 0) dropRow(correspondence, static_cast<std::size_t>(v));
+  const CleanMesh& clean = source.given.clean;
+  for (Eigen::Index v = 0; v < clean.offset.size(); ++v)
+    if (!clean.isOnMain(v)) dropRow(correspondence, static_cast<std::size_t>(v));
   return correspondence;
 }
 

@@ -24,7 +24,7 @@ void forgetBackground(const SideSurface& surface, CleanMesh& clean) {
     if (background.vertices[v] != 0) {
       unreferenced += is_corner[v] == 0;
       // One at the place of the body's own is on the main surface.
-      loose += is_corner[v] != 0 && clean.offset[static_cast<Eigen::Index>(v)] > 0;
+      loose += is_corner[v] != 0 && !clean.isOnMain(static_cast<Eigen::Index>(v));
     }
   clean.summary.degenerate_faces -= background.faces;
   clean.summary.unreferenced_vertices -= unreferenced;

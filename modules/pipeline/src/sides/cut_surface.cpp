@@ -16,7 +16,7 @@ bool CutSurface::cutOut(const std::vector<int>& vertices) {
   std::vector<char> is_out(clean_.mesh.vertices.rows(), 0);
   for (int v : vertices) is_out[v] = 1;
   const auto touches = [&](int v) {
-    return clean_.offset[v] == 0 && is_out[clean_.clean_vertex[v]] != 0;
+    return clean_.isOnMain(v) && is_out[clean_.clean_vertex[v]] != 0;
   };
   const Faces faces = facedAlike(input_.faces, clean_);
   std::vector<char> gone = gone_;

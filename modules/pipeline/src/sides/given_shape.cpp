@@ -75,7 +75,7 @@ Points placesOfInput(const GivenShape& source,
                      const Points& input) {
   std::vector<int> loose, anchor;
   for (int v = 0; v < source.input.vertices.rows(); ++v)
-    if (source.clean.offset[v] > 0) {
+    if (!source.clean.isOnMain(v)) {
       loose.push_back(v);
       anchor.push_back(source.clean.clean_vertex[v]);
     }

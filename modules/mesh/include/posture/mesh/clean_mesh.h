@@ -30,6 +30,8 @@ struct CleanMesh {
   std::vector<int> clean_vertex;
   /// Input vertex -> distance to that clean vertex; 0 exactly on the main surface.
   Vector offset;
+  /// Whether an input vertex is on the main surface, and not only near it.
+  bool isOnMain(Eigen::Index v) const { return offset[v] == 0; }
   std::vector<char> face_on_main;  ///< input face -> whether it is on the main surface
   /// Input face -> whether it must be turned round to look as the main surface or the piece it is
   /// in does; off these: whether the main surface was inside out.

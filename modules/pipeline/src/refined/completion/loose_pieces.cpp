@@ -40,7 +40,7 @@ constexpr std::size_t LEAST_PIECE = 3;
 std::vector<std::vector<int>> loosePieces(const GivenShape& shape) {
   const int n = static_cast<int>(shape.input.vertices.rows());
   Unions joined(n);
-  const auto loose = [&](int v) { return shape.clean.offset[v] > 0; };
+  const auto loose = [&](int v) { return !shape.clean.isOnMain(v); };
   for (int f = 0; f < shape.input.faces.rows(); ++f)
     for (int k = 0; k < 3; ++k) {
       const int a = shape.input.faces(f, k), b = shape.input.faces(f, (k + 1) % 3);
@@ -149,7 +149,7 @@ class Placing {
     static std::vector<int> verticesOf(const CleanMesh& clean) {
       std::vector<int> vertices;
       for (int v = 0; v < clean.offset.size(); ++v)
-        if (!(clean.offset[v] > 0)) vertices.push_back(v);
+        if (clean.isOnMain(v)) vertices.push_back(v);
       return vertices;
     }
 
@@ -232,7 +232,7 @@ std::vector<char> coveredBy(const GivenShape& shape,
                             const Points& places,
                             double reach) {
   const std::vector<int> mapped = verticesThat(shape, [&](int v) {
-    return !(shape.clean.offset[v] > 0) && laid.correspondence.on_target[v].vertex >= 0;
+    return shape.clean.isOnMain(v) && laid.correspondence.on_target[v].vertex >= 0;
   });
   std::vector<char> covered(places.rows(), 0);
   constexpr double UNIT = 1;  // distances as they are
@@ -256,7 +256,7 @@ bool hasLoosePieces(const GivenShape& shape) {
   const std::vector<char> on_faces =
       cornersOfFaces(shape.input.faces, static_cast<int>(shape.input.vertices.rows()));
   for (int v = 0; v < shape.ownVertices(); ++v)
-    if (on_faces[v] != 0 && shape.clean.offset[v] > 0) return true;
+    if (on_faces[v] != 0 && !shape.clean.isOnMain(v)) return true;
   return false;
 }
 

@@ -124,7 +124,7 @@ void addMatches(const GivenShape& source, const OnPieces& on_pieces, LaidSide& l
   for (int v : on_pieces.in_gap) matches[v] = Match{};
   for (int v = 0; v < source.ownVertices(); ++v) {
     const auto& match = matches[source.clean.clean_vertex[v]];
-    if (source.clean.offset[v] > 0 || !match) continue;
+    if (!source.clean.isOnMain(v) || !match) continue;
     laid.correspondence.on_target[v] = match->on_target;
     laid.correspondence.confidence[v] = match->confidence;
   }

@@ -43,7 +43,7 @@ void measureMiss(const GivenShape& source,
   back.mean_miss = back.percentile_95_miss = 0;
   std::vector<double> miss;
   for (int v = 0; v < source.input.vertices.rows(); ++v) {
-    if (source.clean.offset[v] > 0) continue;
+    if (!source.clean.isOnMain(v)) continue;
     const auto end = leadsTo(there.on_target[v], source.input, target, back.correspondence);
     if (end) miss.push_back((*end - source.input.vertices.row(v)).norm());
   }

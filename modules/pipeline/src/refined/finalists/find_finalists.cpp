@@ -143,8 +143,7 @@ bool FinalistSearch::leadsWhereKnown() const {
   std::vector<SurfacePoint> on_target(places.size());
   for (std::size_t v = 0; v < places.size(); ++v) {
     const int coarse = shape.coarse.nearest[shape.work.nearest[clean.clean_vertex[v]]];
-    const bool is_mapped =
-        clean.offset[static_cast<Eigen::Index>(v)] == 0 && !isApart(apart, coarse);
+    const bool is_mapped = clean.isOnMain(static_cast<Eigen::Index>(v)) && !isApart(apart, coarse);
     if (is_mapped) on_target[v].vertex = places[v];
   }
   return agreeEverywhere(

@@ -61,7 +61,7 @@ class GivenFaces {
     Corners corners{};
     for (int k = 0; k < 3; ++k) {
       const int v = given_.input.faces(input_face, k);
-      corners[k] = given_.clean.offset[v] > 0 ? -1 : given_.clean.clean_vertex[v];
+      corners[k] = given_.clean.isOnMain(v) ? given_.clean.clean_vertex[v] : -1;
     }
     return corners;
   }
@@ -124,7 +124,7 @@ Correspondence roughCorrespondenceOf(const GivenShape& source,
   correspondence.confidence = Vector::Zero(n);
   for (std::size_t v = 0; v < n; ++v) {
     const int work = source_shape.work.nearest[source.clean.clean_vertex[v]];
-    if (source.clean.offset[v] > 0 || without[work]) continue;
+    if (!source.clean.isOnMain(v) || without[work]) continue;
     correspondence.on_target[v].vertex =
         target.clean.input_vertex[target_shape.work.vertex[map.pair.maps.forward[work]]];
     correspondence.confidence[v] = 1;

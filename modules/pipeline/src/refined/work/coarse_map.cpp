@@ -33,7 +33,7 @@ KnownPlaces placesOfOwn(const PosedSide& source,
     there.place.row(static_cast<Eigen::Index>(v)) =
         target.pose.into(is_mapped ? positionOf(target.given.input, place)
                                    : Eigen::RowVector3d(known.deformed.row(input)));
-    if (!is_mapped || target.ordered.offset[place.vertex] > 0) continue;
+    if (!is_mapped || !target.ordered.isOnMain(place.vertex)) continue;
     there.apart[v] = 0;
     there.match[v] = to.coarse.nearest[to.work.nearest[target.ordered.clean_vertex[place.vertex]]];
   }
