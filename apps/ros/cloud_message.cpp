@@ -195,7 +195,6 @@ PointCloud cloudOf(const PointCloud2& message) {
   if (const std::optional<Triple> normals = normalsOf(message))
     cloud.normals = read(message, *normals);
   if (message.height > 1 && message.width > 1) cloud.width = static_cast<int>(message.width);
-  cloud.sensor = Eigen::Vector3d::Zero();
   return cloud;
 }
 

@@ -13,8 +13,7 @@ namespace posture::app {
 
 /// Points of a message in the order of its data, and its normals (normal_x, normal_y, normal_z)
 /// where it has them, both of FLOAT32 or FLOAT64 at any place. Where height and width are above 1
-/// the points are the grid of a depth image. The sensor is the frame's origin, as drivers publish;
-/// the reconstruction sees whether that can be.
+/// the points are the grid of a depth image.
 /// \throws InputError  no field x, y or z, one of another type, or data that do not fit the layout;
 /// the message begins with "has".
 PointCloud cloudOf(const sensor_msgs::PointCloud2& message);

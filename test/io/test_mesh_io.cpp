@@ -102,10 +102,17 @@ TEST(WriteMesh, plyIsSingleWhereThatMovesNoVertexFarAndElseDouble) {
   writeMesh(path, mesh);
   EXPECT_THAT(bytesOf(path), HasSubstr("\nproperty float x\n"));
   EXPECT_LT((readMesh(path).mesh.vertices - mesh.vertices).cwiseAbs().maxCoeff(), 1e-7);
-  mesh.vertices.array() += 1e5;
-  writeMesh(path, mesh);
-  EXPECT_THAT(bytesOf(path), HasSubstr("\nproperty double x\n"));
-  EXPECT_EQ(readMesh(path).mesh.vertices, mesh.vertices);
+  const auto expectDouble = [&](const TriangleMesh& written) {
+    writeMesh(path, written);
+    EXPECT_THAT(bytesOf(path), HasSubstr("\nproperty double x\n"));
+    EXPECT_EQ(readMesh(path).mesh.vertices, written.vertices);
+  };
+  TriangleMesh far = mesh;
+  far.vertices.array() += 1e5;
+  expectDouble(far);
+  TriangleMesh touching = mesh;
+  touching.vertices.row(7) = touching.vertices.row(40) * (1 + 1e-9);
+  expectDouble(touching);
 }
 
 TEST_P(WriteMesh, pointsWithoutFaces) {

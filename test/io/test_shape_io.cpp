@@ -116,7 +116,7 @@ TEST(Pcd, asciiWithNormalsColoursAndUnseenPoints) {
   EXPECT_EQ(cloud.colors.row(0), (Eigen::Matrix<std::uint8_t, 1, 3>(2, 3, 4)));
   EXPECT_EQ(cloud.colors.row(2), (Eigen::Matrix<std::uint8_t, 1, 3>(0, 0, 255)));
   EXPECT_EQ(cloud.width, 0);
-  EXPECT_EQ(cloud.sensor, Eigen::Vector3d(0, 0, 0));
+  EXPECT_FALSE(cloud.sensor);
 }
 
 TEST(Pcd, binaryOfEveryTypeInAnyOrderPastWideFields) {
@@ -406,6 +406,7 @@ TEST(Table, badFilesAreRefusedInOneLine) {
   expect("x,y,z\n1 2 3 4\n", "line 2: 4 columns where 3 are expected");
   expect("x,y,what,z\n1,2,the hat,a 4\n", "line 2: 'a 4' is not a number");
   expect("x;y;z\n1,5;2,5;3,5\n", "decimal commas cannot be read");
+  expect("\"1,5\";\"2,5\";\"3,5\"\n", "decimal commas cannot be read");
   expect("x y z r g b\n1,5 2,5 3,5\n", "decimal commas cannot be read");
   expect("x y z i\n1,5 2,5 3,5 7\n", "decimal commas cannot be read");
   expect("1 2 3\n1 2,5 3,5\n", "decimal commas cannot be read");

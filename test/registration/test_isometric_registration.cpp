@@ -722,7 +722,7 @@ TEST(IsometricRegistration, pclMeshesInDoublePrecisionAreTaken) {
       field.name = std::string(1, static_cast<char>('x' + axis));
       field.offset = axis * static_cast<std::uint32_t>(sizeof(double));
       field.datatype = pcl::PCLPointField::FLOAT64;
-      field.count = 1;
+      field.count = axis == 0 ? 0 : 1;  // both stand for one
       data.fields.push_back(field);
     }
     for (const auto& point : cloud)

@@ -92,8 +92,20 @@ TEST(Orientation, doesNotBelieveASensorThatSawOneSideOfABodyOnly) {
        {Eigen::RowVector3d(4, 0, 0), Eigen::RowVector3d(0, 2.5, 0), Eigen::RowVector3d(1, 2, 9)}) {
     Points normals = scrambled(truth, 5);
     const Points directions = ((-points).rowwise() + sensor).rowwise().normalized();
-    EXPECT_FALSE(orient(points, {directions, HintSource::SENSOR}, normals).by_sensor);
+    EXPECT_FALSE(orient(points, {directions, HintSource::SENSOR, sensor}, normals).by_sensor);
     EXPECT_EQ(agreeing(normals, truth), 4000);
+  }
+}
+
+TEST(Orientation, doesNotBelieveASensorNearAThickBodyThatIsClosed) {
+  const Points points = test::spherePoints(8000, 0);
+  for (const double away : {1.2, 1.5, 2.0, 4.0}) {
+    SCOPED_TRACE(away);
+    const Eigen::RowVector3d sensor(0, 0, away);
+    const Points directions = ((-points).rowwise() + sensor).rowwise().normalized();
+    Points normals = scrambled(points, 7);
+    EXPECT_FALSE(orient(points, {directions, HintSource::SENSOR, sensor}, normals).by_sensor);
+    EXPECT_EQ(agreeing(normals, points), 8000);
   }
 }
 
@@ -108,7 +120,7 @@ TEST(Orientation, goesByNormalsWhereASensorDidNotSeeThePoints) {
   for (const double side : {1.0, -1.0}) {
     Points normals = scrambled(bowl, 6);
     const OrientationSummary summary =
-        orient(bowl, {directions, HintSource::SENSOR, side * bowl}, normals);
+        orient(bowl, {directions, HintSource::SENSOR, beside, false, side * bowl}, normals);
     EXPECT_FALSE(summary.by_sensor);
     EXPECT_TRUE(summary.by_normals);
     EXPECT_EQ(agreeing(normals, side * bowl), bowl.rows());

@@ -278,13 +278,54 @@ TEST(Reconstruct, looksAtTheSensorOfAView) {
   }
 }
 
-TEST(Reconstruct, asksNoSensorThatWouldSeeASpeck) {
-  Points cap = test::spherePoints(8000, 0);
+/// A cap of a sphere about the origin, around its upper pole.
+Points upperCap() {
+  const Points sphere = test::spherePoints(8000, 0);
   std::vector<int> upper;
-  for (int i = 0; i < cap.rows(); ++i)
-    if (cap(i, 2) > 0.2) upper.push_back(i);
+  for (int i = 0; i < sphere.rows(); ++i)
+    if (sphere(i, 2) > 0.2) upper.push_back(i);
+  return sphere(upper, Eigen::all);
+}
+
+TEST(Reconstruct, takesTheOriginForTheSensorOfPointsAheadOfIt) {
+  const Points cap = upperCap();
+  // Seen from within by a camera that looks along an axis of its frame; a place, which tells it.
+  struct Case {
+    Eigen::RowVector3d x, y, z, shift;
+    bool is_asked;
+  };
+  const Eigen::RowVector3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  for (const Case& c : std::vector<Case>{{x, y, z, 2 * z, true},
+                                         {y, z, x, 2 * x, true},
+                                         {z, x, y, 2 * y, false},
+                                         {x, y, -z, -2 * z, false}}) {
+    PointCloud cloud;
+    cloud.points.resize(cap.rows(), 3);
+    for (int i = 0; i < cap.rows(); ++i)
+      cloud.points.row(i) = cap(i, 0) * c.x + cap(i, 1) * c.y + cap(i, 2) * c.z + c.shift;
+    EXPECT_EQ(reconstruct(cloud).summary.oriented_by_sensor, c.is_asked);
+    cloud.normals = cloud.points.rowwise() - c.shift;
+    const ScanSurface surface = reconstruct(cloud);
+    EXPECT_FALSE(surface.summary.oriented_by_sensor);
+    const Points normals = vertexNormals(surface.mesh),
+                 out = surface.mesh.vertices.rowwise() - c.shift;
+    EXPECT_GT((normals.array() * out.array()).sum(), 0.9 * static_cast<double>(out.rows()));
+  }
+}
+
+TEST(Reconstruct, keepsClosedBodiesBeforeACameraAsTheyAre) {
+  for (const double away : {1.3, 2.0, 5.0}) {
+    PointCloud cloud;
+    cloud.points = test::spherePoints(4000, 0).rowwise() + Eigen::RowVector3d(0, 0, away);
+    const ScanSurface surface = reconstruct(cloud);
+    EXPECT_EQ(surface.summary.boundary_loops, 0) << away;
+    EXPECT_FALSE(surface.summary.oriented_by_sensor) << away;
+  }
+}
+
+TEST(Reconstruct, asksNoSensorThatWouldSeeASpeck) {
   PointCloud cloud;
-  cloud.points = cap(upper, Eigen::all);
+  cloud.points = upperCap();
   cloud.sensor = Eigen::Vector3d(0, 0, 20);
   EXPECT_TRUE(reconstruct(cloud).summary.oriented_by_sensor);
   // Where the origin of a map is.

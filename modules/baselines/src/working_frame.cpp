@@ -76,9 +76,7 @@ LocalCloud WorkingFrame::local(const PointCloud& cloud) const {
   if (!(local.points.cwiseAbs().maxCoeff() < FARTHEST))
     throw InputError("a point too far off to compute with");
   if (cloud.normals.rows() > 0) local.normals = cloud.normals(rows, Eigen::all);
-  // Of points that are no depth image the origin is where files say that nothing is known.
-  if (cloud.sensor && (cloud.width > 0 || !cloud.sensor->isZero(0)))
-    local.sensor = (*cloud.sensor - center_) / unit_;
+  if (cloud.sensor) local.sensor = (*cloud.sensor - center_) / unit_;
   return local;
 }
 

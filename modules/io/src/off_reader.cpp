@@ -72,7 +72,7 @@ class OffReader {
     if (keyword(word).find_first_of("4n") != std::string::npos)
       text_.fail(std::string(word) + ": only three coordinates a vertex can be read");
     const std::size_t after = text_.offset();
-    if (text_.wordOnLine() == "BINARY") text_.fail("binary OFF cannot be read");
+    if (lowercase(text_.wordOnLine()) == "binary") text_.fail("binary OFF cannot be read");
     text_.moveTo(after);
   }
 

@@ -60,7 +60,7 @@ class PcdCloud {
     cloud_.colors.resize(layout.hasColors() ? points : 0, 3);
     const bool is_grid = header.height > 1 && header.width > 1;
     if (is_grid) cloud_.width = static_cast<int>(header.width);
-    cloud_.sensor = header.viewpoint;
+    if (is_grid || !header.viewpoint.isZero(0)) cloud_.sensor = header.viewpoint;
   }
 
   void set(Eigen::Index row, const std::vector<double>& values) {

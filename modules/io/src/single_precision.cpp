@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 namespace posture {
 
@@ -20,6 +22,21 @@ bool fitFloats(const Points& points) {
     high = high.cwiseMax(point);
   }
   return moved == 0 || moved <= (MOST * high - MOST * low).maxCoeff();
+}
+
+bool differAsFloats(const Points& points) {
+  const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> single = points.cast<float>();
+  std::vector<int> order(points.rows());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int i, int j) {
+    return std::lexicographical_compare(
+        single.row(i).begin(), single.row(i).end(), single.row(j).begin(), single.row(j).end());
+  });
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (single.row(order[k]) == single.row(order[k - 1]) &&
+        points.row(order[k]) != points.row(order[k - 1]))
+      return false;
+  return true;
 }
 
 }  // namespace posture

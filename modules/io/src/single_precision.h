@@ -9,4 +9,8 @@ namespace posture {
 /// Whether single precision moves every finite point by far less than neighbours are apart.
 bool fitFloats(const Points& points);
 
+/// Whether single precision leaves points that differ different. Meshes have vertices next to each
+/// other that are not one, where sheets touch.
+bool differAsFloats(const Points& points);
+
 }  // namespace posture

@@ -117,7 +117,7 @@ class TableReader {
     const bool is_apart = splitRow(text);
     if (readCount()) return;
     if (columns_ == 0) {
-      if (!is_apart) failDecimalCommas(text);
+      if (!is_apart && hasDecimalCommas(text)) failDecimalCommas();
       begin();
     }
     if (lacksLast(columns_, text)) words_.emplace_back();
@@ -209,11 +209,16 @@ class TableReader {
   }
 
   [[noreturn]] void failNumber(std::string_view word) const {
+    double ignored = 0;
+    const std::size_t comma = word.find(',');
+    if (comma != std::string_view::npos && parseNumber(word.substr(0, comma), ignored) &&
+        parseNumber(word.substr(comma + 1), ignored))
+      failDecimalCommas();
     input_.failAt(offset_, inQuotes(word) + " is not a number");
   }
 
   [[noreturn]] void failRow(std::string_view text) const {
-    failDecimalCommas(text);
+    if (hasDecimalCommas(text)) failDecimalCommas();
     input_.failAt(offset_,
                   std::to_string(words_.size()) + " columns where " + std::to_string(columns_) +
                       " are expected (truncated?)");
@@ -223,9 +228,8 @@ class TableReader {
     input_.failAt(offset_, "columns x and y are named, and none z");
   }
 
-  void failDecimalCommas(std::string_view text) const {
-    if (hasDecimalCommas(text))
-      input_.failAt(offset_, "decimal commas cannot be read, write decimal points");
+  [[noreturn]] void failDecimalCommas() const {
+    input_.failAt(offset_, "decimal commas cannot be read, write decimal points");
   }
 
   std::int64_t rows() const {

@@ -15,7 +15,7 @@ namespace posture {
 namespace {
 
 std::string toPly(const TriangleMesh& mesh, const Colors& colors) {
-  const bool floats = fitFloats(mesh.vertices);
+  const bool floats = fitFloats(mesh.vertices) && differAsFloats(mesh.vertices);
   std::string out = "ply\nformat binary_little_endian 1.0\nelement vertex ";
   appendNumber(out, mesh.vertices.rows());
   out += floats ? "\nproperty float x\nproperty float y\nproperty float z\n"

@@ -16,6 +16,11 @@ bool isDouble(const pcl::PCLPointField& field) {
   return field.datatype == pcl::PCLPointField::FLOAT64;
 }
 
+/// A count of 0 stands for one number.
+std::size_t countOf(const pcl::PCLPointField& field) {
+  return std::max<std::size_t>(1, field.count);
+}
+
 void narrow(const std::uint8_t* from, std::size_t count, std::uint8_t* to) {
   for (std::size_t i = 0; i < count; ++i) {
     double wide;
@@ -28,7 +33,7 @@ void narrow(const std::uint8_t* from, std::size_t count, std::uint8_t* to) {
 /// Whether every point and field is within the data.
 bool isWhole(const pcl::PCLPointCloud2& cloud) {
   const auto fits = [&](const pcl::PCLPointField& field) {
-    return std::size_t{field.offset} + field.count * sizeof(double) <= cloud.point_step ||
+    return std::size_t{field.offset} + countOf(field) * sizeof(double) <= cloud.point_step ||
            !isDouble(field);
   };
   return std::all_of(cloud.fields.begin(), cloud.fields.end(), fits) &&
@@ -48,7 +53,7 @@ pcl::PCLPointCloud2 inSinglePrecision(const pcl::PCLPointCloud2& cloud) {
     for (std::size_t row = 0; row < cloud.height; ++row)
       for (std::size_t column = 0; column < cloud.width; ++column) {
         const std::size_t at = row * cloud.row_step + column * cloud.point_step + field.offset;
-        narrow(&cloud.data[at], field.count, &single.data[at]);
+        narrow(&cloud.data[at], countOf(field), &single.data[at]);
       }
     field.datatype = pcl::PCLPointField::FLOAT32;
   }

@@ -127,6 +127,7 @@ ScanSurface reconstruct(const PointCloud& cloud, const ReconstructionOptions& op
   OutsideHints hints = outsideHints(cloud, distinct.input);
   hints.directions *= distinct.frame.axes;
   hints.normals *= distinct.frame.axes;
+  hints.sensor = distinct.frame.toWorking(hints.sensor);
   std::optional<PointSurface> clean;
   if (options.surface == SurfaceMethod::TANGENT_DELAUNAY)
     clean = surfaceOfCleanPoints(distinct.points, hints, summary);

@@ -15,9 +15,10 @@ struct PointSurface {
   std::vector<int> point;  ///< of each vertex; -1: beside a point that has another vertex
 };
 
-/// Whether from where each of its corners was seen only the back of a face shows.
-/// \param to_sensor  n x 3: the way from each point to there, zero where unknown; 0 x 3: not known.
-bool looksAway(const std::array<int, 3>& face, const Points& points, const Points& to_sensor);
+/// Whether a face looks away from where each of its corners was seen from.
+/// \param seen_from  n x 3: the way from each point to there, or any other the surface looks along;
+/// 0 x 3: not known.
+bool looksAway(const std::array<int, 3>& face, const Points& points, const Points& seen_from);
 
 /// The faces between inside and outside, manifold and oriented: where sheets touch in an edge or a
 /// point, each has its own vertices there. Faces longer than the reach of their corners are left
@@ -27,6 +28,6 @@ PointSurface cutSurface(const Points& points,
                         const Tetrahedra& tetrahedra,
                         const std::vector<char>& inside,
                         const Spacing& spacing,
-                        const Points& to_sensor);
+                        const Points& seen_from);
 
 }  // namespace posture

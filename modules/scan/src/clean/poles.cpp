@@ -84,10 +84,14 @@ Points poleNormals(const Points& points,
       normals.row(i) = (sides.isFlipped(t) ? -1 : 1) * spheres.direction(i, t).normalized();
   std::vector<int> all(n);
   std::iota(all.begin(), all.end(), 0);
-  const bool is_misplaced =
-      hints.source == HintSource::SENSOR && !isSeen(hints, normals, std::vector<int>(n, 0));
+  const bool is_misplaced = hints.source == HintSource::SENSOR &&
+                            !isSeen(hints, points, normals, spacing, std::vector<int>(n, 0));
   const OutsideHints trusted = is_misplaced ? withoutSensor(hints) : hints;
   if (looksInward(points, normals, all, spacing, trusted, summary)) normals *= -1;
+  // What was seen looks at the sensor, also where the tetrahedra of a thin sheet tell otherwise.
+  if (summary.by_sensor)
+    for (int i = 0; i < n; ++i)
+      if (normals.row(i).dot(hints.directions.row(i)) < 0) normals.row(i) *= -1;
   return normals;
 }
 

@@ -60,6 +60,8 @@ ScanPoints averaged(const ScanPoints& scan, double side) {
   return {cells.means,
           {meanDirections(scan.hints.directions),
            scan.hints.source,
+           scan.hints.sensor,
+           scan.hints.is_assumed,
            meanDirections(scan.hints.normals)}};
 }
 

@@ -16,6 +16,10 @@
 namespace posture {
 namespace {
 
+/// Closed surfaces are less open, and know their outside better than normals or places of sensors
+/// of unknown origin do.
+constexpr double CLOSED = 0.2;
+
 struct Link {
   float weight;
   int first, second;
@@ -142,7 +146,7 @@ HintVote vote(const Points& directions, const Points& normals, const std::vector
 }  // namespace
 
 OutsideHints rowsOf(const OutsideHints& hints, const std::vector<int>& rows) {
-  OutsideHints some{hints.directions, hints.source, hints.normals};
+  OutsideHints some = hints;
   for (Points* part : {&some.directions, &some.normals})
     if (part->rows() > 0) *part = Points((*part)(rows, Eigen::all));
   return some;
@@ -150,23 +154,45 @@ OutsideHints rowsOf(const OutsideHints& hints, const std::vector<int>& rows) {
 
 OutsideHints withoutSensor(const OutsideHints& hints) {
   if (hints.normals.rows() == 0) return {};
-  return {hints.normals, HintSource::NORMALS, Points(0, 3)};
+  return {hints.normals, HintSource::NORMALS};
 }
 
-bool isSeen(const OutsideHints& hints, const Points& normals, const std::vector<int>& part_of) {
-  // Of all that looks either way, by how squarely it does: 0.9 of views, next to nothing of closed
-  // bodies.
-  constexpr double MOSTLY = 0.5;
-  std::map<int, double> towards;
-  double all = 0;
-  for (Eigen::Index i = 0; i < normals.rows(); ++i) {
-    const double c = hints.directions.row(i).dot(normals.row(i));
-    towards[part_of[static_cast<std::size_t>(i)]] += c;
-    all += std::abs(c);
+bool isSeen(const OutsideHints& hints,
+            const Points& points,
+            const Points& normals,
+            const Spacing& spacing,
+            const std::vector<int>& part_of) {
+  // Of all that looks either way: nearly all of views.
+  constexpr double MOSTLY = 0.5, NEARLY_ALL = 0.9;
+  const double least = hints.is_assumed ? NEARLY_ALL : MOSTLY;
+  const auto looksOneWay = [&](const auto& weight) {
+    std::map<int, double> towards;
+    double all = 0;
+    for (Eigen::Index i = 0; i < normals.rows(); ++i) {
+      const double c = hints.directions.row(i).dot(normals.row(i)) * weight(i);
+      towards[part_of[static_cast<std::size_t>(i)]] += c;
+      all += std::abs(c);
+    }
+    double one_way = 0;
+    for (const auto& [part, sum] : towards) one_way += std::abs(sum);
+    return one_way >= least * all;
+  };
+  if (hints.is_assumed) {
+    Eigen::RowVector3d area_vector = Eigen::RowVector3d::Zero();
+    double area = 0;
+    for (int i = 0; i < normals.rows(); ++i) {
+      const double a = spacing.at[i] * spacing.at[i];
+      area_vector += (hints.directions.row(i).dot(normals.row(i)) < 0 ? -a : a) * normals.row(i);
+      area += a;
+    }
+    if (area_vector.norm() <= CLOSED * area) return false;
   }
-  double one_way = 0;
-  for (const auto& [part, sum] : towards) one_way += std::abs(sum);
-  return one_way >= MOSTLY * all;
+  // What is near fills the view, and hides the backs of what it is part of; those of closed bodies
+  // fill as much of it, however near these are.
+  return looksOneWay([](Eigen::Index) { return 1.0; }) && looksOneWay([&](Eigen::Index i) {
+           const double distance_sq = (points.row(i) - hints.sensor).squaredNorm();
+           return distance_sq > 0 ? spacing.at[i] * spacing.at[i] / distance_sq : 0;
+         });
 }
 
 bool looksInward(const Points& points,
@@ -175,8 +201,6 @@ bool looksInward(const Points& points,
                  const Spacing& spacing,
                  const OutsideHints& hints,
                  OrientationSummary& summary) {
-  // A closed body knows its outside better than normals of unknown origin do.
-  constexpr double CLOSED = 0.2;
   // Of normals whose sign was left to chance half agree.
   constexpr double CONSISTENT = 0.9;
   const HintVote votes = vote(hints.directions, normals, part);
@@ -204,7 +228,7 @@ OrientationSummary orientNormals(const Points& points,
   Propagated propagated = propagate(links, normals);
   OutsideHints hints = given;
   if (hints.source == HintSource::SENSOR) {
-    if (isSeen(hints, propagated.normals, propagated.part)) {
+    if (isSeen(hints, points, propagated.normals, spacing, propagated.part)) {
       addSensorLinks(hints.directions, normals, links);
       propagated = propagate(links, normals);
     } else {

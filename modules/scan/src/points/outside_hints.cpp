@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace posture {
@@ -88,11 +89,35 @@ bool isEye(const Eigen::Vector3d& place, const PointCloud& image) {
   return bent.empty() || median(std::move(bent)) < FRACTION;
 }
 
-/// Whether a scanner may have stood where the cloud says.
-bool isKnown(const PointCloud& cloud, const std::vector<int>& rows, bool is_image) {
-  const auto& sensor = cloud.sensor;
-  return sensor && sensor->allFinite() && isOutlook(*sensor, cloud.points, rows) &&
-         !(is_image && !isEye(*sensor, cloud));
+/// Whether points are where a camera at the origin looks, as in files and messages that nobody
+/// moved: along the z of its frame (optical frames) or the x, and none right before the lens.
+bool areAhead(const Points& points, const std::vector<int>& rows) {
+  constexpr double MOSTLY = 0.7;  // cosine
+  constexpr double CLOSE = 0.1;   // of the median distance
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  std::vector<double> distances;
+  for (const int row : rows) {
+    sum += unitOrZero(points.row(row));
+    distances.push_back(points.row(row).stableNorm());
+  }
+  if (std::max(sum.x(), sum.z()) < MOSTLY * static_cast<double>(rows.size())) return false;
+  const double nearest = *std::min_element(distances.begin(), distances.end());
+  return nearest > CLOSE * median(std::move(distances));
+}
+
+/// Where a scanner may have stood: where the cloud says, or, where it says nothing that is surer,
+/// at the origin.
+std::optional<Eigen::Vector3d> sensorOf(const PointCloud& cloud,
+                                        const std::vector<int>& rows,
+                                        bool is_image) {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  if (cloud.sensor)
+    place = *cloud.sensor;
+  else if (!is_image && (cloud.normals.rows() > 0 || !areAhead(cloud.points, rows)))
+    return std::nullopt;
+  if (!place.allFinite() || !isOutlook(place, cloud.points, rows)) return std::nullopt;
+  if (is_image && !isEye(place, cloud)) return std::nullopt;
+  return place;
 }
 
 }  // namespace
@@ -108,10 +133,12 @@ OutsideHints outsideHints(const PointCloud& cloud, const std::vector<int>& rows)
   };
   if (cloud.normals.rows() > 0)
     hints.normals = forEachRow([&](int row) { return unitOrZero(cloud.normals.row(row)); });
-  if (isKnown(cloud, rows, is_image)) {
+  if (const auto sensor = sensorOf(cloud, rows, is_image)) {
     hints.source = HintSource::SENSOR;
-    hints.directions = forEachRow(
-        [&](int row) { return unitOrZero(cloud.sensor->transpose() - cloud.points.row(row)); });
+    hints.sensor = sensor->transpose();
+    hints.is_assumed = !cloud.sensor;
+    hints.directions =
+        forEachRow([&](int row) { return unitOrZero(hints.sensor - cloud.points.row(row)); });
   } else if (is_image) {
     hints.source = HintSource::GRID;
     hints.directions = forEachRow([&](int row) { return towardsEye(cloud, row); });

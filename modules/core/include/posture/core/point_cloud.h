@@ -15,7 +15,7 @@ struct PointCloud {
   Colors colors;   ///< n x 3, or 0 x 3
   /// Columns of the depth image, its rows one after the other; 0: the points are no grid.
   int width = 0;
-  std::optional<Eigen::Vector3d> sensor;  ///< where the scanner stood, as is said; not of several
+  std::optional<Eigen::Vector3d> sensor;  ///< where the scanner of one view stood, as it is said
 };
 
 /// A shape as it was given: a mesh, or (no faces) a point cloud.

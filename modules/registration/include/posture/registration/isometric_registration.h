@@ -98,7 +98,7 @@ class IsometricRegistration : public pcl::Registration<PointSource, PointTarget,
   void setTargetMesh(const PointCloudTargetConstPtr& cloud,
                      const std::vector<pcl::Vertices>& polygons);
   /// The same from PCL's mesh: its cloud, as pcl::fromPCLPointCloud2 reads it, becomes the input;
-  /// positions in double precision, which that does not read, are read as well.
+  /// positions in double precision, which that does not read, are rounded to single.
   void setSourceMesh(const pcl::PolygonMesh& mesh);
   void setTargetMesh(const pcl::PolygonMesh& mesh);
 

@@ -84,8 +84,8 @@ pcl::Indices allOf(const pcl::PointCloud<PointT>& cloud) {
   return indices;
 }
 
-/// The points of a cloud that take part. A whole organised cloud is one view. Whether the sensor
-/// stood where the cloud says is left to the reconstruction: clouds keep the place when moved.
+/// The points of a cloud that take part. A whole organised cloud is one view; of the sensor the
+/// cloud says nothing where it is at the origin, which clouds keep as they are moved.
 /// \param normals  instead of those of the points, if there is one for each point of the input.
 template <typename PointT>
 CloudSide cloudSide(const pcl::PointCloud<PointT>& input,
@@ -108,7 +108,8 @@ CloudSide cloudSide(const pcl::PointCloud<PointT>& input,
   side.polygons = polygons;
   const bool is_grid = input.height > 1 && input.width > 1 && indices == allOf(input);
   if (is_grid) side.cloud.width = static_cast<int>(input.width);
-  side.cloud.sensor = input.sensor_origin_.template head<3>().template cast<double>();
+  const Eigen::Vector3d sensor = input.sensor_origin_.template head<3>().template cast<double>();
+  if (!sensor.isZero(0)) side.cloud.sensor = sensor;
   return side;
 }
 
