@@ -20,7 +20,7 @@ struct OutsideHints {
   Points directions;  ///< n x 3: unit vectors that point outwards, zero where unknown; or 0 x 3
   HintSource source = HintSource::NONE;
   Eigen::RowVector3d sensor = Eigen::RowVector3d::Zero();  ///< its place, where it is the source
-  bool is_assumed = false;                                 ///< the sensor; nothing is said of it
+  bool is_assumed = false;        ///< whether nobody said that the sensor stood there
   Points normals = Points(0, 3);  ///< given ones, for where the sensor did not see the points
 };
 
@@ -31,10 +31,12 @@ OutsideHints rowsOf(const OutsideHints& hints, const std::vector<int>& rows);
 OutsideHints withoutSensor(const OutsideHints& hints);
 
 /// Whether a sensor saw points from where it is said to be: a part of them looks towards it as a
-/// whole, or, with all its normals turned round, away from it. What closed bodies have on both
-/// sides fills the same part of its view; views that were put into one file, or moved and kept the
-/// place of the scanner, look any way. \param normals  of consistent sign in each part. \param
-/// part_of  n: a number for each part.
+/// whole, or, with all its normals turned round, away from it. Both sides of closed bodies fill the
+/// same part of its view; views that were put into one file, or moved and kept the place of the
+/// scanner, look any way.
+///
+/// \param normals  of consistent sign in each part.
+/// \param part_of  n: a number for each part.
 bool isSeen(const OutsideHints& hints,
             const Points& points,
             const Points& normals,

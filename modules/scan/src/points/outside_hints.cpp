@@ -136,7 +136,7 @@ OutsideHints outsideHints(const PointCloud& cloud, const std::vector<int>& rows)
   if (const auto sensor = sensorOf(cloud, rows, is_image)) {
     hints.source = HintSource::SENSOR;
     hints.sensor = sensor->transpose();
-    hints.is_assumed = !cloud.sensor;
+    hints.is_assumed = !cloud.sensor && !is_image;  // the rows of an image tell
     hints.directions =
         forEachRow([&](int row) { return unitOrZero(hints.sensor - cloud.points.row(row)); });
   } else if (is_image) {
