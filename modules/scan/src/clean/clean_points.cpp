@@ -111,7 +111,7 @@ std::optional<PointSurface> surfaceOfCleanPoints(const Points& given,
   OrientationSummary orientation;
   const Points normals = poleNormals(points, stars, spheres, h, hints, orientation);
   const std::vector<char> inside = insideByCut(points, stars, spheres, normals);
-  const Points seen_from = orientation.by_sensor ? hints.directions : Points(0, 3);
+  const Points seen_from = orientation.is_one_view ? hints.directions : Points(0, 3);
   PointSurface surface = cutSurface(points, *tetrahedra, inside, h, seen_from);
 
   int dropped = 0;

@@ -20,6 +20,9 @@ namespace {
 /// of unknown origin do.
 constexpr double CLOSED = 0.2;
 
+/// Of what looks towards a sensor or away from it, what has to look one way.
+constexpr double MOSTLY = 0.5, NEARLY_ALL = 0.9;
+
 struct Link {
   float weight;
   int first, second;
@@ -143,6 +146,47 @@ HintVote vote(const Points& directions, const Points& normals, const std::vector
   return votes;
 }
 
+/// Whether what points enclose, all turned to the sensor, is closed.
+bool isClosed(const OutsideHints& hints, const Points& normals, const Spacing& spacing) {
+  Eigen::RowVector3d area_vector = Eigen::RowVector3d::Zero();
+  double area = 0;
+  for (int i = 0; i < normals.rows(); ++i) {
+    const double a = spacing.at[i] * spacing.at[i];
+    area_vector += (hints.directions.row(i).dot(normals.row(i)) < 0 ? -a : a) * normals.row(i);
+    area += a;
+  }
+  return area_vector.norm() <= CLOSED * area;
+}
+
+/// Of what looks towards a sensor or away from it, by how squarely it does, the share that looks
+/// the way its part does: of views nearly all.
+double oneWayShare(const OutsideHints& hints,
+                   const Points& points,
+                   const Points& normals,
+                   const Spacing& spacing,
+                   const std::vector<int>& part_of) {
+  const auto share = [&](const auto& weight) {
+    std::map<int, double> towards;
+    double all = 0;
+    for (Eigen::Index i = 0; i < normals.rows(); ++i) {
+      const double c = hints.directions.row(i).dot(normals.row(i)) * weight(i);
+      towards[part_of[static_cast<std::size_t>(i)]] += c;
+      all += std::abs(c);
+    }
+    double one_way = 0;
+    for (const auto& [part, sum] : towards) one_way += std::abs(sum);
+    return all > 0 ? one_way / all : 0;
+  };
+  // What is near fills the view, and hides the backs of what it is part of; those of closed bodies
+  // fill as much of it, however near these are.
+  const double by_count = share([](Eigen::Index) { return 1.0; });
+  const double by_solid_angle = share([&](Eigen::Index i) {
+    const double distance_sq = (points.row(i) - hints.sensor).squaredNorm();
+    return distance_sq > 0 ? spacing.at[i] * spacing.at[i] / distance_sq : 0;
+  });
+  return std::min(by_count, by_solid_angle);
+}
+
 }  // namespace
 
 OutsideHints rowsOf(const OutsideHints& hints, const std::vector<int>& rows) {
@@ -162,37 +206,17 @@ bool isSeen(const OutsideHints& hints,
             const Points& normals,
             const Spacing& spacing,
             const std::vector<int>& part_of) {
-  // Of all that looks either way: nearly all of views.
-  constexpr double MOSTLY = 0.5, NEARLY_ALL = 0.9;
+  if (hints.is_assumed && isClosed(hints, normals, spacing)) return false;
   const double least = hints.is_assumed ? NEARLY_ALL : MOSTLY;
-  const auto looksOneWay = [&](const auto& weight) {
-    std::map<int, double> towards;
-    double all = 0;
-    for (Eigen::Index i = 0; i < normals.rows(); ++i) {
-      const double c = hints.directions.row(i).dot(normals.row(i)) * weight(i);
-      towards[part_of[static_cast<std::size_t>(i)]] += c;
-      all += std::abs(c);
-    }
-    double one_way = 0;
-    for (const auto& [part, sum] : towards) one_way += std::abs(sum);
-    return one_way >= least * all;
-  };
-  if (hints.is_assumed) {
-    Eigen::RowVector3d area_vector = Eigen::RowVector3d::Zero();
-    double area = 0;
-    for (int i = 0; i < normals.rows(); ++i) {
-      const double a = spacing.at[i] * spacing.at[i];
-      area_vector += (hints.directions.row(i).dot(normals.row(i)) < 0 ? -a : a) * normals.row(i);
-      area += a;
-    }
-    if (area_vector.norm() <= CLOSED * area) return false;
-  }
-  // What is near fills the view, and hides the backs of what it is part of; those of closed bodies
-  // fill as much of it, however near these are.
-  return looksOneWay([](Eigen::Index) { return 1.0; }) && looksOneWay([&](Eigen::Index i) {
-           const double distance_sq = (points.row(i) - hints.sensor).squaredNorm();
-           return distance_sq > 0 ? spacing.at[i] * spacing.at[i] / distance_sq : 0;
-         });
+  return oneWayShare(hints, points, normals, spacing, part_of) >= least;
+}
+
+bool areOneView(const OutsideHints& hints,
+                const Points& points,
+                const Points& normals,
+                const Spacing& spacing,
+                const std::vector<int>& part_of) {
+  return oneWayShare(hints, points, normals, spacing, part_of) >= NEARLY_ALL;
 }
 
 bool looksInward(const Points& points,

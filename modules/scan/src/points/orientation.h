@@ -43,8 +43,16 @@ bool isSeen(const OutsideHints& hints,
             const Spacing& spacing,
             const std::vector<int>& part_of);
 
+/// Whether hardly any of them was seen from elsewhere: the same, of nearly all.
+bool areOneView(const OutsideHints& hints,
+                const Points& points,
+                const Points& normals,
+                const Spacing& spacing,
+                const std::vector<int>& part_of);
+
 struct OrientationSummary {
   bool by_sensor = false;
+  bool is_one_view = false;  ///< each point looks at the sensor
   bool by_normals = false;
 };
 
