@@ -123,7 +123,8 @@ TEST_F(Segment, itsMotionsTakeThePartsToThePose) {
 TEST_F(Segment, coloursPartsOnBothBodies) {
   const std::vector<int> parts = readParts(at("mesh") + "/segments.csv");
   const MeshFile colored = readMesh(at("mesh") + "/segments.ply");
-  EXPECT_EQ(colored.mesh.vertices, body(0).mesh.vertices);
+  const Points in_single = body(0).mesh.vertices.cast<float>().cast<double>();
+  EXPECT_EQ(colored.mesh.vertices, in_single);
   std::map<int, Eigen::Matrix<std::uint8_t, 1, 3>> color;
   for (std::size_t v = 0; v < parts.size(); ++v) color[parts[v]] = colored.colors.row(v);
   for (std::size_t v = 0; v < parts.size(); ++v) EXPECT_EQ(colored.colors.row(v), color[parts[v]]);

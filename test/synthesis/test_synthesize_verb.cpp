@@ -222,7 +222,8 @@ TEST(SynthesizeVerb, makesTheRigidPairOfTheDataFolder) {
   for (const char* file : {"/quadruped-rigid-source.ply", "/quadruped-rigid-target.ply"}) {
     const TriangleMesh a = readMesh(made + file).mesh, b = readMesh(kept + file).mesh;
     ASSERT_TRUE(a.faces == b.faces);
-    EXPECT_LT((a.vertices - b.vertices).cwiseAbs().maxCoeff(), 1e-9);
+    // Kept in double precision, written in single: of a body about 1 long.
+    EXPECT_LT((a.vertices - b.vertices).cwiseAbs().maxCoeff(), 1e-7);
   }
   EXPECT_EQ(synthesize({"-o", made, "--rigid", "--scan"}).exit_code, 2);
 }
