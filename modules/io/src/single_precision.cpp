@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace posture {
@@ -26,8 +25,9 @@ bool fitFloats(const Points& points) {
 
 bool differAsFloats(const Points& points) {
   const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> single = points.cast<float>();
-  std::vector<int> order(points.rows());
-  std::iota(order.begin(), order.end(), 0);
+  std::vector<int> order;  // what is not finite has no place in one
+  for (int i = 0; i < single.rows(); ++i)
+    if (single.row(i).allFinite()) order.push_back(i);
   std::sort(order.begin(), order.end(), [&](int i, int j) {
     return std::lexicographical_compare(
         single.row(i).begin(), single.row(i).end(), single.row(j).begin(), single.row(j).end());

@@ -20,7 +20,8 @@ namespace {
 /// of unknown origin do.
 constexpr double CLOSED = 0.2;
 
-/// Of what looks towards a sensor or away from it, what has to look one way.
+/// Of what looks towards a sensor or away from it, by how much what looks one way has to outweigh
+/// the rest: 0.75 and 0.95 of it.
 constexpr double MOSTLY = 0.5, NEARLY_ALL = 0.9;
 
 struct Link {
@@ -158,13 +159,13 @@ bool isClosed(const OutsideHints& hints, const Points& normals, const Spacing& s
   return area_vector.norm() <= CLOSED * area;
 }
 
-/// Of what looks towards a sensor or away from it, by how squarely it does, the share that looks
-/// the way its part does: of views nearly all.
-double oneWayShare(const OutsideHints& hints,
-                   const Points& points,
-                   const Points& normals,
-                   const Spacing& spacing,
-                   const std::vector<int>& part_of) {
+/// Of what looks towards a sensor or away from it, by how squarely it does, what looks the way its
+/// part does less what does not: 1 of ideal views.
+double oneWayExcess(const OutsideHints& hints,
+                    const Points& points,
+                    const Points& normals,
+                    const Spacing& spacing,
+                    const std::vector<int>& part_of) {
   const auto share = [&](const auto& weight) {
     std::map<int, double> towards;
     double all = 0;
@@ -208,7 +209,7 @@ bool isSeen(const OutsideHints& hints,
             const std::vector<int>& part_of) {
   if (hints.is_assumed && isClosed(hints, normals, spacing)) return false;
   const double least = hints.is_assumed ? NEARLY_ALL : MOSTLY;
-  return oneWayShare(hints, points, normals, spacing, part_of) >= least;
+  return oneWayExcess(hints, points, normals, spacing, part_of) >= least;
 }
 
 bool areOneView(const OutsideHints& hints,
@@ -216,7 +217,7 @@ bool areOneView(const OutsideHints& hints,
                 const Points& normals,
                 const Spacing& spacing,
                 const std::vector<int>& part_of) {
-  return oneWayShare(hints, points, normals, spacing, part_of) >= NEARLY_ALL;
+  return oneWayExcess(hints, points, normals, spacing, part_of) >= NEARLY_ALL;
 }
 
 bool looksInward(const Points& points,

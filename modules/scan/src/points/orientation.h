@@ -20,7 +20,7 @@ struct OutsideHints {
   Points directions;  ///< n x 3: unit vectors that point outwards, zero where unknown; or 0 x 3
   HintSource source = HintSource::NONE;
   Eigen::RowVector3d sensor = Eigen::RowVector3d::Zero();  ///< its place, where it is the source
-  bool is_assumed = false;        ///< whether nobody said that the sensor stood there
+  bool is_assumed = false;        ///< at the origin, of which nothing tells
   Points normals = Points(0, 3);  ///< given ones, for where the sensor did not see the points
 };
 
@@ -52,7 +52,7 @@ bool areOneView(const OutsideHints& hints,
 
 struct OrientationSummary {
   bool by_sensor = false;
-  bool is_one_view = false;  ///< each point looks at the sensor
+  bool is_one_view = false;  ///< told by poleNormals() only
   bool by_normals = false;
 };
 

@@ -35,9 +35,9 @@ namespace posture {
 /// \throws InputError  as readMesh; no point of a cloud is finite.
 Shape readShape(const std::filesystem::path& path);
 
-/// Writes PCD (binary), PLY (binary, double precision) or XYZ (text that reads back as the same
-/// numbers, with a line of names where there is more than positions) by the path's ending; whole or
-/// not at all. Grid and sensor are kept in PCD only.
+/// Writes PCD, PLY (both binary, in double precision where single moves points) or XYZ (text that
+/// reads back as the same numbers, with a line of names where there is more than positions) by the
+/// path's ending; whole or not at all. Grid and sensor are kept in PCD only.
 ///
 /// PCD is in single precision, as PCL's own points are. Where that would move a point by more than
 /// 1e-5 of the longest side of the box around them (far from the origin), positions are double: a

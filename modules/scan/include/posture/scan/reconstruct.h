@@ -46,7 +46,7 @@ struct ReconstructionSummary {
   int boundary_loops = 0;
   double boundary_length = 0;
   bool double_walls = false;         ///< views that do not fit each other, or noise without end
-  bool oriented_by_sensor = false;   ///< known place of the scanner, or the grid of a view
+  bool oriented_by_sensor = false;   ///< a scanner's place, or the grid of a view
   bool oriented_by_normals = false;  ///< the normals given decided the side, at least of a part
   double thin = 0;   ///< share of the vertices where the part is thinner than the mesh can show
   int contacts = 0;  ///< places where parts that touch may have been joined
@@ -64,7 +64,9 @@ struct ScanSurface {
 /// A triangle mesh through the points of a scan. Points without noise are themselves its vertices.
 /// All scales come from the points; the same points in another order, or moved, give the same mesh
 /// up to rounding. Faces are counter-clockwise seen from outside: from the sensor where known, else
-/// as the grid of a depth image is seen, else away from the inside of the body.
+/// as the grid of a depth image is seen, else from the origin where open points without normals lie
+/// ahead of it and look as seen from there (which moving them may change), else away from the
+/// inside of the body.
 ///
 /// \throws InputError  no finite point; too few different points; all on one line; no surface; too
 /// large or too small to compute with;
