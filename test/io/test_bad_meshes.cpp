@@ -91,6 +91,8 @@ TEST(BadMesh, obj) {
                   {"a.obj", three + "f 1 2 9999999999\n", "line 4: face index"},
                   {"a.obj", three + "f 1 2 3\nf 1 2", "line 5: a face of 2 corners (truncated?)"},
                   {"a.obj", three + "f 1 2 3\nf", "line 5: a face of 0 corners (truncated?)"},
+                  {"a.obj", three + "f 1 2 3\nf 1 2 ", "line 5: a face of 2 corners (truncated?)"},
+                  {"a.obj", three + "f 1 2 3\nf 1 2 \\", "a face of 2 corners (truncated?)"},
                   {"a.obj", three + "f 1 2 99999999999999999999\n", "is not a whole number"},
                   {"a.obj", three + "f 1 2 0\n", "line 4: face index 0, OBJ counts from 1"},
                   {"a.obj", three + "f 1 2 -4\n", "line 4: face index -4 is out of range"},

@@ -255,7 +255,7 @@ TEST(Reconstruct, looksAtTheSensorOfAView) {
   const std::vector<Case> cases{
       {"the sensor", 0, Eigen::Vector3d(0, 0, 0)},
       {"the sensor of an image", WIDTH, Eigen::Vector3d(0, 0, 0)},
-      {"the grid", WIDTH, {}},
+      {"the rows of an image", WIDTH, {}},
       // Where the origin is once the points were moved.
       {"the grid, as the sensor is among the points", WIDTH, Eigen::Vector3d(0, 0, 3.75)},
       {"the grid, as the sensor is behind what it saw", WIDTH, Eigen::Vector3d(0, 0, 8)},
@@ -303,7 +303,12 @@ TEST(Reconstruct, takesTheOriginForTheSensorOfPointsAheadOfIt) {
     cloud.points.resize(cap.rows(), 3);
     for (int i = 0; i < cap.rows(); ++i)
       cloud.points.row(i) = cap(i, 0) * c.x + cap(i, 1) * c.y + cap(i, 2) * c.z + c.shift;
-    EXPECT_EQ(reconstruct(cloud).summary.oriented_by_sensor, c.is_asked);
+    const ScanSurface seen = reconstruct(cloud);
+    EXPECT_EQ(seen.summary.oriented_by_sensor, c.is_asked);
+    const Points inward = vertexNormals(seen.mesh);
+    if (c.is_asked) {
+      EXPECT_LT((inward.array() * seen.mesh.vertices.array()).rowwise().sum().mean(), -0.5);
+    }
     cloud.normals = cloud.points.rowwise() - c.shift;
     const ScanSurface surface = reconstruct(cloud);
     EXPECT_FALSE(surface.summary.oriented_by_sensor);
@@ -311,6 +316,23 @@ TEST(Reconstruct, takesTheOriginForTheSensorOfPointsAheadOfIt) {
                  out = surface.mesh.vertices.rowwise() - c.shift;
     EXPECT_GT((normals.array() * out.array()).sum(), 0.9 * static_cast<double>(out.rows()));
   }
+}
+
+TEST(Reconstruct, keepsWhatAnotherViewThanTheSensorsShows) {
+  // More than half of a ball: from above, 0.72 more looks up than down.
+  const Points sphere = test::spherePoints(8000, 0);
+  std::vector<int> shown;
+  for (int i = 0; i < sphere.rows(); ++i)
+    if (sphere(i, 2) > -0.4) shown.push_back(i);
+  PointCloud cloud;
+  cloud.points = sphere(shown, Eigen::all);
+  cloud.sensor = Eigen::Vector3d(0, 0, 20);
+  const ScanSurface surface = reconstruct(cloud);
+  EXPECT_TRUE(surface.summary.oriented_by_sensor);
+  EXPECT_EQ(surface.summary.outliers, 0);
+  EXPECT_LT(surface.mesh.vertices.col(2).minCoeff(), -0.35);
+  const Points normals = vertexNormals(surface.mesh);
+  EXPECT_GT((normals.array() * surface.mesh.vertices.array()).rowwise().sum().mean(), 0.95);
 }
 
 TEST(Reconstruct, keepsClosedBodiesBeforeACameraAsTheyAre) {

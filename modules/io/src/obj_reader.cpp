@@ -23,8 +23,7 @@ constexpr std::string_view IGNORED[] = {
 
 class ObjReader {
  public:
-  ObjReader(const Input& input, Unseen unseen)
-      : input_(input), text_(input, 0, '#'), builder_(input, unseen, 1) {}
+  ObjReader(const Input& input, Unseen unseen) : text_(input, 0, '#'), builder_(input, unseen, 1) {}
 
   MeshFile read() {
     for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) {
@@ -90,9 +89,7 @@ class ObjReader {
 
   void readFace() {
     corners_.clear();
-    const char* end = nullptr;
     for (std::string_view word = next(); !word.empty(); word = next()) {
-      end = word.data() + word.size();
       const std::size_t slash = word.find('/');
       corners_.push_back(resolve(word.substr(0, slash), builder_.vertexCount()));
       if (slash == std::string_view::npos) continue;
@@ -100,10 +97,8 @@ class ObjReader {
       if (second == std::string_view::npos || second + 1 == word.size()) continue;
       noteNormal(corners_.back(), resolve(word.substr(second + 1), normals_.size() / 3));
     }
-    // A word that ends with the file may have been cut off, and so may its line; elsewhere faces of
-    // two corners are edges.
-    const std::string_view bytes = input_.bytes();
-    if (corners_.size() < 3 && (end == nullptr || end == bytes.data() + bytes.size()))
+    // A line without an end may have been cut off; elsewhere faces of two corners are edges.
+    if (corners_.size() < 3 && text_.remaining() == 0)
       text_.fail("a face of " + std::to_string(corners_.size()) + " corners (truncated?)");
     builder_.addPolygon(corners_);
   }
@@ -130,7 +125,6 @@ class ObjReader {
     return normals;
   }
 
-  const Input& input_;
   TextReader text_;
   MeshBuilder builder_;
   std::vector<double> normals_;

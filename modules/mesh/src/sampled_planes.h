@@ -9,8 +9,7 @@
 
 namespace posture {
 
-/// Points of a surface, about as many to each part of it as its area is. Lengths are in square
-/// roots of the area.
+/// Points of a surface, spread evenly over its area. Lengths are in square roots of that.
 struct AreaSamples {
   static constexpr int MOST = 4096;  ///< and hardly fewer
 

@@ -69,9 +69,9 @@ void separate(PointSurface& surface, int point_count) {
 }
 
 /// Pin holes along the rim of what was seen are closed by faces of the back, too.
-void leaveOutBacks(const Points& seen_from, PointSurface& surface) {
+void leaveOutBacks(const Points& to_eye, PointSurface& surface) {
   TriangleMesh& mesh = surface.mesh;
-  const Points towards = seen_from(surface.point, Eigen::all);
+  const Points towards = to_eye(surface.point, Eigen::all);
   std::vector<int> facing;
   for (int f = 0; f < mesh.faces.rows(); ++f)
     if (!looksAway({mesh.faces(f, 0), mesh.faces(f, 1), mesh.faces(f, 2)}, mesh.vertices, towards))
@@ -111,8 +111,8 @@ std::optional<PointSurface> surfaceOfCleanPoints(const Points& given,
   OrientationSummary orientation;
   const Points normals = poleNormals(points, stars, spheres, h, hints, orientation);
   const std::vector<char> inside = insideByCut(points, stars, spheres, normals);
-  const Points seen_from = orientation.is_one_view ? hints.directions : Points(0, 3);
-  PointSurface surface = cutSurface(points, *tetrahedra, inside, h, seen_from);
+  const Points to_eye = orientation.is_one_view ? hints.directions : Points(0, 3);
+  PointSurface surface = cutSurface(points, *tetrahedra, inside, h, to_eye);
 
   int dropped = 0;
   std::vector<int> on_surface;
@@ -120,7 +120,7 @@ std::optional<PointSurface> surfaceOfCleanPoints(const Points& given,
   surface.mesh.faces = withLessCurvature(surface.mesh);
   for (int& v : on_surface) v = surface.point[v];
   surface.point = std::move(on_surface);
-  if (seen_from.rows() > 0) leaveOutBacks(seen_from, surface);
+  if (to_eye.rows() > 0) leaveOutBacks(to_eye, surface);
   if (!isPlausible(surface, n)) return std::nullopt;
 
   const Points vertex_normals = normals(surface.point, Eigen::all);

@@ -29,14 +29,14 @@ class CutFaces {
            const Tetrahedra& tetrahedra,
            const std::vector<char>& inside,
            const Spacing& spacing,
-           const Points& seen_from)
+           const Points& to_eye)
       : tetrahedra_(tetrahedra), inside_(inside), number_(4 * inside.size(), -1) {
     for (int t = 0; t < tetrahedra.size(); ++t)
       for (int k = 0; k < 4; ++k) {
         if (!inside[t] || inside[tetrahedra.beyond[t][k]]) continue;
         const std::array<int, 3> face = tetrahedra.face(t, k);
         if (std::max({face[0], face[1], face[2]}) < points.rows() &&
-            !looksAway(face, points, seen_from))
+            !looksAway(face, points, to_eye))
           sides_.push_back(4 * t + k);
       }
     leaveOutLongest(points, spacing);
@@ -239,20 +239,20 @@ void leaveOutFlaps(const CutFaces& faces,
 
 }  // namespace
 
-bool looksAway(const std::array<int, 3>& face, const Points& points, const Points& seen_from) {
-  if (seen_from.rows() == 0) return false;
+bool looksAway(const std::array<int, 3>& face, const Points& points, const Points& to_eye) {
+  if (to_eye.rows() == 0) return false;
   const Eigen::RowVector3d a = points.row(face[0]);
   const Eigen::RowVector3d normal = (points.row(face[1]) - a).cross(points.row(face[2]) - a);
   return std::all_of(
-      face.begin(), face.end(), [&](int corner) { return normal.dot(seen_from.row(corner)) < 0; });
+      face.begin(), face.end(), [&](int corner) { return normal.dot(to_eye.row(corner)) < 0; });
 }
 
 PointSurface cutSurface(const Points& points,
                         const Tetrahedra& tetrahedra,
                         const std::vector<char>& inside,
                         const Spacing& spacing,
-                        const Points& seen_from) {
-  const CutFaces faces(points, tetrahedra, inside, spacing, seen_from);
+                        const Points& to_eye) {
+  const CutFaces faces(points, tetrahedra, inside, spacing, to_eye);
   const std::vector<std::vector<int>> patches = longPatches(faces);
   std::vector<char> kept(faces.size());
   for (int f = 0; f < faces.size(); ++f) kept[f] = !faces.isLong(f);

@@ -16,9 +16,9 @@ struct PointSurface {
 };
 
 /// Whether a face looks away from where each of its corners was seen from.
-/// \param seen_from  n x 3: the way from each point to there, or any other the surface looks along;
-/// 0 x 3: not known.
-bool looksAway(const std::array<int, 3>& face, const Points& points, const Points& seen_from);
+/// \param to_eye  n x 3: the way from each point to there, or another that the surface looks along,
+/// zero where unknown; 0 x 3: none is known.
+bool looksAway(const std::array<int, 3>& face, const Points& points, const Points& to_eye);
 
 /// The faces between inside and outside, manifold and oriented: where sheets touch in an edge or a
 /// point, each has its own vertices there. Faces longer than the reach of their corners are left
@@ -28,6 +28,6 @@ PointSurface cutSurface(const Points& points,
                         const Tetrahedra& tetrahedra,
                         const std::vector<char>& inside,
                         const Spacing& spacing,
-                        const Points& seen_from);
+                        const Points& to_eye);
 
 }  // namespace posture

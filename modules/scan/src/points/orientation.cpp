@@ -147,8 +147,8 @@ HintVote vote(const Points& directions, const Points& normals, const std::vector
   return votes;
 }
 
-/// Whether what points enclose, all turned to the sensor, is closed.
-bool isClosed(const OutsideHints& hints, const Points& normals, const Spacing& spacing) {
+/// Whether points, all turned to the sensor, are closed around it or have it in their surface.
+bool surroundSensor(const OutsideHints& hints, const Points& normals, const Spacing& spacing) {
   Eigen::RowVector3d area_vector = Eigen::RowVector3d::Zero();
   double area = 0;
   for (int i = 0; i < normals.rows(); ++i) {
@@ -207,7 +207,7 @@ bool isSeen(const OutsideHints& hints,
             const Points& normals,
             const Spacing& spacing,
             const std::vector<int>& part_of) {
-  if (hints.is_assumed && isClosed(hints, normals, spacing)) return false;
+  if (hints.is_assumed && surroundSensor(hints, normals, spacing)) return false;
   const double least = hints.is_assumed ? NEARLY_ALL : MOSTLY;
   return oneWayExcess(hints, points, normals, spacing, part_of) >= least;
 }

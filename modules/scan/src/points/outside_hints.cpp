@@ -58,7 +58,8 @@ bool isOutlook(const Eigen::Vector3d& place, const Points& points, const std::ve
 /// Whether a depth image was taken from a place: its rows then lie in planes through it, to a
 /// fraction of a pixel and however noisy the depths are. From where an image that was moved did not
 /// stand, rows bend with the distance.
-bool isEye(const Eigen::Vector3d& place, const PointCloud& image) {
+/// \param otherwise  the answer where no row is long enough to tell.
+bool isEye(const Eigen::Vector3d& place, const PointCloud& image, bool otherwise) {
   constexpr std::size_t ENOUGH = 8;  // points of a row
   constexpr double FRACTION = 0.25;  // of a pixel
   const Eigen::Index width = image.width, rows = image.points.rows() / width;
@@ -86,7 +87,7 @@ bool isEye(const Eigen::Vector3d& place, const PointCloud& image) {
         std::sqrt(std::max(0.0, solver.eigenvalues()[0]) / static_cast<double>(seen));
     if (step > 0) bent.push_back(off / step);
   }
-  return bent.empty() || median(std::move(bent)) < FRACTION;
+  return bent.empty() ? otherwise : median(std::move(bent)) < FRACTION;
 }
 
 /// Whether points are where a camera at the origin looks, as in files and messages that nobody
@@ -116,7 +117,7 @@ std::optional<Eigen::Vector3d> sensorOf(const PointCloud& cloud,
   else if (!is_image && (cloud.normals.rows() > 0 || !areAhead(cloud.points, rows)))
     return std::nullopt;
   if (!place.allFinite() || !isOutlook(place, cloud.points, rows)) return std::nullopt;
-  if (is_image && !isEye(place, cloud)) return std::nullopt;
+  if (is_image && !isEye(place, cloud, cloud.sensor.has_value())) return std::nullopt;
   return place;
 }
 
