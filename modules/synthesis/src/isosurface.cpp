@@ -53,39 +53,61 @@ Lattice makeLattice(const FleshField& field, double spacing, int tessellation) {
   return lattice;
 }
 
-constexpr int BLOCK = 4;
+constexpr int COARSEST_BLOCK = 16, FINEST_BLOCK = 2;
 
-/// One block of values; where it is far from the skin its middle stands for all of it.
-void sampleBlock(const FleshField& field, Lattice& lattice, const std::array<int, 3>& first) {
-  const double far = 3 * 0.5 * std::sqrt(3.0) * BLOCK * lattice.spacing;
-  const Vec3 middle = Vec3(first[0], first[1], first[2]) + Vec3::Constant(0.5 * (BLOCK - 1));
-  const double here = field.value(lattice.origin + lattice.rotation * (lattice.spacing * middle));
+/// A cube of `size` values along each axis, as far as the lattice has it. Where it is far from the
+/// skin its middle stands for all of it.
+void sampleBlock(const FleshField& field,
+                 Lattice& lattice,
+                 const std::array<int, 3>& first,
+                 int size) {
   std::array<int, 3> end;
-  for (int axis = 0; axis < 3; ++axis)
-    end[axis] = std::min(first[axis] + BLOCK, lattice.size[axis]);
+  for (int axis = 0; axis < 3; ++axis) {
+    end[axis] = std::min(first[axis] + size, lattice.size[axis]);
+    if (first[axis] >= end[axis]) return;
+  }
+  const double far = 3 * 0.5 * std::sqrt(3.0) * size * lattice.spacing;
+  const Vec3 middle = Vec3(first[0], first[1], first[2]) + Vec3::Constant(0.5 * (size - 1));
+  const double here = field.value(lattice.origin + lattice.rotation * (lattice.spacing * middle));
+  const bool is_far = std::abs(here) > far;
+  if (!is_far && size > FINEST_BLOCK) {
+    for (int k : {0, size / 2})
+      for (int j : {0, size / 2})
+        for (int i : {0, size / 2})
+          sampleBlock(field, lattice, {first[0] + i, first[1] + j, first[2] + k}, size / 2);
+    return;
+  }
   for (int k = first[2]; k < end[2]; ++k)
     for (int j = first[1]; j < end[1]; ++j)
       for (int i = first[0]; i < end[0]; ++i) {
         const int n = lattice.index(i, j, k);
-        const double d = std::abs(here) > far ? here : field.value(lattice.place(n));
-        lattice.value[n] = static_cast<float>(d);
+        lattice.value[n] = static_cast<float>(is_far ? here : field.value(lattice.place(n)));
       }
 }
 
 void sample(const FleshField& field, Lattice& lattice) {
   const auto [nx, ny, nz] = lattice.size;
   lattice.value.resize(static_cast<std::size_t>(nx) * ny * nz);
-  const int layers = (nz + BLOCK - 1) / BLOCK;
+  const int layers = (nz + COARSEST_BLOCK - 1) / COARSEST_BLOCK;
   parallelFor(layers, [&](int layer) {
-    for (int j = 0; j < lattice.size[1]; j += BLOCK)
-      for (int i = 0; i < lattice.size[0]; i += BLOCK)
-        sampleBlock(field, lattice, {i, j, layer * BLOCK});
+    for (int j = 0; j < lattice.size[1]; j += COARSEST_BLOCK)
+      for (int i = 0; i < lattice.size[0]; i += COARSEST_BLOCK)
+        sampleBlock(field, lattice, {i, j, layer * COARSEST_BLOCK}, COARSEST_BLOCK);
   });
 }
 
 class Marcher {
  public:
   explicit Marcher(const Lattice& lattice) : lattice_(lattice) {}
+
+  /// Whether the skin passes through the cell whose first corner is `n`.
+  bool isCrossed(int n) const {
+    const int j = lattice_.size[0], k = j * lattice_.size[1];
+    const bool is_inside = inside(n);
+    for (int corner : {n + 1, n + j, n + j + 1, n + k, n + k + 1, n + k + j, n + k + j + 1})
+      if (inside(corner) != is_inside) return true;
+    return false;
+  }
 
   /// The triangles where the skin crosses a tetrahedron of lattice points.
   void march(const std::array<int, 4>& tet) {
@@ -165,6 +187,7 @@ TriangleMesh isosurface(const FleshField& field, double spacing, int tessellatio
     for (int j = 0; j + 1 < ny; ++j)
       for (int i = 0; i + 1 < nx; ++i) {
         const int n = lattice.index(i, j, k);
+        if (!marcher.isCrossed(n)) continue;
         for (const auto& way : WAYS) {
           std::array<int, 4> tet = {n, n + step[way[0]], 0, n + step[0] + step[1] + step[2]};
           tet[2] = tet[1] + step[way[1]];
