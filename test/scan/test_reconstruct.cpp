@@ -309,6 +309,11 @@ TEST(Reconstruct, takesTheOriginForTheSensorOfPointsAheadOfIt) {
     if (c.is_asked) {
       EXPECT_LT((inward.array() * seen.mesh.vertices.array()).rowwise().sum().mean(), -0.5);
     }
+    // Missing points are often written as zeros.
+    PointCloud with_missing = cloud;
+    with_missing.points.conservativeResize(cap.rows() + 100, 3);
+    with_missing.points.bottomRows(100).setZero();
+    EXPECT_EQ(reconstruct(with_missing).summary.oriented_by_sensor, c.is_asked);
     cloud.normals = cloud.points.rowwise() - c.shift;
     const ScanSurface surface = reconstruct(cloud);
     EXPECT_FALSE(surface.summary.oriented_by_sensor);

@@ -91,10 +91,12 @@ bool isEye(const Eigen::Vector3d& place, const PointCloud& image, bool otherwise
 }
 
 /// Whether points are where a camera at the origin looks, as in files and messages that nobody
-/// moved: along the z of its frame (optical frames) or the x, and none right before the lens.
+/// moved: along the z of its frame (optical frames) or the x, and hardly any right before the lens or
+/// in it, where missing points are put.
 bool areAhead(const Points& points, const std::vector<int>& rows) {
   constexpr double MOSTLY = 0.7;  // cosine
   constexpr double CLOSE = 0.1;   // of the median distance
+  constexpr double FEW = 0.01;    // of the points
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
   std::vector<double> distances;
   for (const int row : rows) {
@@ -102,8 +104,10 @@ bool areAhead(const Points& points, const std::vector<int>& rows) {
     distances.push_back(points.row(row).stableNorm());
   }
   if (std::max(sum.x(), sum.z()) < MOSTLY * static_cast<double>(rows.size())) return false;
-  const double nearest = *std::min_element(distances.begin(), distances.end());
-  return nearest > CLOSE * median(std::move(distances));
+  const double close = CLOSE * median(distances);
+  const auto num_close = std::count_if(
+      distances.begin(), distances.end(), [&](double distance) { return distance <= close; });
+  return static_cast<double>(num_close) <= FEW * static_cast<double>(rows.size());
 }
 
 /// Where a scanner may have stood: where the cloud says, or, where it says nothing that is surer,
