@@ -13,7 +13,13 @@
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
-using posture::toNearestRotations;
+
+void toNearestRotations(std::vector<Matrix3d>& matrices) {
+  std::vector<posture::WideMatrix> wide;
+  for (const Matrix3d& m : matrices) wide.push_back(posture::wide(m));
+  posture::toNearestRotations(wide);
+  for (std::size_t i = 0; i < matrices.size(); ++i) matrices[i] = posture::narrow(wide[i]);
+}
 
 Matrix3d randomMatrix(posture::Rng& rng) {
   Matrix3d m;

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 
+#include "arap_steps.h"
 #include "nearest_rotations.h"
 #include <algorithm>
 #include <cstddef>
@@ -26,69 +27,40 @@ using Order = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 /// copy.
 using Factors = Eigen::SimplicialLDLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>>;
 
-/// Solves for all three columns at once: Eigen goes through the factors for one after the other.
-void solveInPlace(const Factors& factors, Points& x) {
-  const Sparse& lower = factors.matrixL().nestedExpression();  // without its diagonal of ones
-  for (int j = 0; j < lower.cols(); ++j) {
-    const Eigen::RowVector3d known = x.row(j);
-    for (Sparse::InnerIterator it(lower, j); it; ++it) x.row(it.row()) -= it.value() * known;
-  }
-  x = factors.vectorD().asDiagonal().inverse() * x;
-  for (int j = static_cast<int>(lower.cols()) - 1; j >= 0; --j) {
-    Eigen::RowVector3d sum = x.row(j);
-    for (Sparse::InnerIterator it(lower, j); it; ++it) sum -= it.value() * x.row(it.row());
-    x.row(j) = sum;
-  }
-}
-
 }  // namespace
 
 /// All that is said of a vertex here is in the order in which few entries fill in when systems are
 /// factored, which also keeps neighbours near each other in memory.
 struct Arap::Impl {
-  /// Of positive weight; looked at once for both its ends.
-  struct Edge {
-    int i, j;  ///< i < j
-    double weight;
-    Eigen::RowVector3d rest;  ///< from j to i
-  };
-
   Eigen::Index vertices() const { return mass.size(); }
 
   Order order;  ///< from the mesh's order to this one
   Vector mass;
-  std::vector<Edge> edges;  ///< by j, then i
-  std::vector<int> begin;   ///< of the edges with each j; one more, their end
+  std::vector<RigidEdge> edges;  ///< by j, then i
+  std::vector<int> begin;        ///< of the edges with each j; one more, their end
 
-  void rotations(const Points& p, std::vector<Eigen::Matrix3d>& r) const;
-  void addRigidPull(const std::vector<Eigen::Matrix3d>& r,
-                    const Vector& stiffness,
-                    Points& b) const;
+  void rotations(const std::vector<WideRow>& p, std::vector<WideMatrix>& r) const;
   Vector cellStiffness(const Points& p) const;
   Sparse system(const Vector& stiffness, const Vector& strength) const;
   double energy(const Points& p) const;
 };
 
-void Arap::Impl::rotations(const Points& p, std::vector<Eigen::Matrix3d>& r) const {
-  r.assign(vertices(), Eigen::Matrix3d::Zero());
-  for (const Edge& e : edges) {
-    const Eigen::Matrix3d moved = (e.weight * (p.row(e.i) - p.row(e.j))).transpose() * e.rest;
-    r[e.i] += moved;
-    r[e.j] += moved;
-  }
+void Arap::Impl::rotations(const std::vector<WideRow>& p, std::vector<WideMatrix>& r) const {
+  r.assign(vertices(), WideMatrix{});
+  arapSteps().addCovariances(edges, p, r);
   toNearestRotations(r);
 }
 
 /// Weights by which squares act like the Charbonnier function of each vertex's strain, whose scale
 /// is the median strain: lengths add up beyond it instead of squares.
 Vector Arap::Impl::cellStiffness(const Points& p) const {
-  std::vector<Eigen::Matrix3d> r;
-  rotations(p, r);
+  std::vector<WideMatrix> r;
+  rotations(wideRows(p), r);
   Vector change = Vector::Zero(vertices()), length = change;
-  for (const Edge& e : edges) {
+  for (const RigidEdge& e : edges) {
     const Eigen::Vector3d bent = (p.row(e.i) - p.row(e.j)).transpose();
     for (int v : {e.i, e.j}) {
-      const Eigen::Vector3d rigid = r[v] * e.rest.transpose();
+      const Eigen::Vector3d rigid = narrow(r[v]) * e.rest.transpose();
       change[v] += e.weight * (bent - rigid).squaredNorm();
       length[v] += e.weight * rigid.squaredNorm();
     }
@@ -97,19 +69,6 @@ Vector Arap::Impl::cellStiffness(const Points& p) const {
   const double typical = median({strain.data(), strain.data() + strain.size()});
   constexpr double RIGID = 1e-12;  // all of it rigid: no strain stands out
   return (1 + strain.array() / std::max(RIGID, typical)).rsqrt();
-}
-
-/// Adds the right-hand side the rotated edges at rest make.
-void Arap::Impl::addRigidPull(const std::vector<Eigen::Matrix3d>& r,
-                              const Vector& stiffness,
-                              Points& b) const {
-  for (const Edge& e : edges) {
-    const Eigen::RowVector3d turned =
-        0.5 * e.weight *
-        ((stiffness[e.i] * r[e.i] + stiffness[e.j] * r[e.j]) * e.rest.transpose()).transpose();
-    b.row(e.i) += turned;
-    b.row(e.j) -= turned;
-  }
 }
 
 /// The upper triangle of the weights' Laplacian, with each vertex's share of an edge multiplied by
@@ -123,7 +82,7 @@ Sparse Arap::Impl::system(const Vector& stiffness, const Vector& strength) const
   for (int j = 0; j < n; ++j) {
     upper.outerIndexPtr()[j] = static_cast<int>(entry);
     for (int k = begin[j]; k < begin[j + 1]; ++k, ++entry) {
-      const Edge& e = edges[k];
+      const RigidEdge& e = edges[k];
       const double weight = 0.5 * (stiffness[e.i] + stiffness[e.j]) * e.weight;
       upper.innerIndexPtr()[entry] = e.i;
       upper.valuePtr()[entry] = -weight;
@@ -138,13 +97,13 @@ Sparse Arap::Impl::system(const Vector& stiffness, const Vector& strength) const
 }
 
 double Arap::Impl::energy(const Points& p) const {
-  std::vector<Eigen::Matrix3d> r;
-  rotations(p, r);
+  std::vector<WideMatrix> r;
+  rotations(wideRows(p), r);
   double sum = 0;
-  for (const Edge& e : edges) {
+  for (const RigidEdge& e : edges) {
     const Eigen::Vector3d bent = (p.row(e.i) - p.row(e.j)).transpose();
     for (int v : {e.i, e.j})
-      sum += 0.5 * e.weight * (bent - r[v] * e.rest.transpose()).squaredNorm();
+      sum += 0.5 * e.weight * (bent - narrow(r[v]) * e.rest.transpose()).squaredNorm();
   }
   return sum / mass.sum();
 }
@@ -169,7 +128,7 @@ Arap::Arap(const TriangleMesh& rest, const Laplacian& laplacian) {
     return std::pair(a.j, a.i) < std::pair(b.j, b.i);
   });
   impl->begin.assign(n + 1, 0);
-  for (const Impl::Edge& e : impl->edges) ++impl->begin[e.j + 1];
+  for (const RigidEdge& e : impl->edges) ++impl->begin[e.j + 1];
   std::partial_sum(impl->begin.begin(), impl->begin.end(), impl->begin.begin());
   impl_ = std::move(impl);
 }
@@ -180,10 +139,10 @@ Arap& Arap::operator=(Arap&&) noexcept = default;
 
 std::vector<Eigen::Matrix3d> Arap::rotations(const Points& bent) const {
   require(bent.rows() == impl_->vertices(), "Arap: one place a vertex");
-  std::vector<Eigen::Matrix3d> ordered;
-  impl_->rotations(impl_->order * bent, ordered);
+  std::vector<WideMatrix> ordered;
+  impl_->rotations(wideRows(impl_->order * bent), ordered);
   std::vector<Eigen::Matrix3d> r;
-  for (int at : impl_->order.indices()) r.push_back(ordered[at]);
+  for (int at : impl_->order.indices()) r.push_back(narrow(ordered[at]));
   return r;
 }
 
@@ -226,16 +185,19 @@ Points Arap::pull(const Points& start,
   const auto n = impl_->vertices();
   require(start.rows() == n && goals.rows() == n, "Arap: one place and one goal a vertex");
   require(attraction.impl_->strength.size() == n, "Arap: the attraction is of another surface");
-  const Points pull = attraction.impl_->strength.asDiagonal() * (impl_->order * goals);
-  Points places = impl_->order * start;
-  std::vector<Eigen::Matrix3d> r;
+  const Factors& factors = attraction.impl_->factors;
+  const Vector inverse_diagonal = factors.vectorD().cwiseInverse();
+  const Points strong = attraction.impl_->strength.asDiagonal() * (impl_->order * goals);
+  const std::vector<WideRow> pull = wideRows(strong);
+  std::vector<WideRow> places = wideRows(impl_->order * start);
+  std::vector<WideMatrix> r;
   for (int i = 0; i < iterations; ++i) {
     impl_->rotations(places, r);
     places = pull;
-    impl_->addRigidPull(r, attraction.impl_->stiffness, places);
-    solveInPlace(attraction.impl_->factors, places);
+    arapSteps().addRigidPull(impl_->edges, r, attraction.impl_->stiffness, places);
+    arapSteps().solve(factors.matrixL().nestedExpression(), inverse_diagonal, places);
   }
-  return impl_->order.transpose() * places;
+  return impl_->order.transpose() * narrowRows(places);
 }
 
 double Arap::energy(const Points& bent) const {

@@ -91,7 +91,7 @@ Eigen::Array<bool, LANES, 1> nearestRotations(const Lanes& given, Lanes& rotatio
 
 }  // namespace
 
-void toNearestRotations(std::vector<Eigen::Matrix3d>& matrices) {
+void toNearestRotations(std::vector<WideMatrix>& matrices) {
   Lanes given, rotations;
   for (std::size_t first = 0; first < matrices.size(); first += LANES) {
     const int count = static_cast<int>(std::min<std::size_t>(LANES, matrices.size() - first));
@@ -99,16 +99,16 @@ void toNearestRotations(std::vector<Eigen::Matrix3d>& matrices) {
     for (int lane = 0; lane < LANES; ++lane)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-          given.at[i][j][lane] = matrices[first + std::min(lane, count - 1)](i, j);
+          given.at[i][j][lane] = matrices[first + std::min(lane, count - 1)].column[j].at[i];
     const auto clear = nearestRotations(given, rotations);
     for (int lane = 0; lane < count; ++lane) {
-      Eigen::Matrix3d& matrix = matrices[first + lane];
+      WideMatrix& matrix = matrices[first + lane];
       if (!clear[lane]) {
-        matrix = nearestRotation(matrix);
+        matrix = wide(nearestRotation(narrow(matrix)));
         continue;
       }
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) matrix(i, j) = rotations.at[i][j][lane];
+        for (int j = 0; j < 3; ++j) matrix.column[j].at[i] = rotations.at[i][j][lane];
     }
   }
 }

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
+#include "arap_steps.h"
 #include <vector>
 
 namespace posture {
 
 /// Replaces each matrix M by the rotation R with the largest trace of R' M: by one of those, where
 /// several are as good; by no numbers, where M is not finite.
-void toNearestRotations(std::vector<Eigen::Matrix3d>& matrices);
+void toNearestRotations(std::vector<WideMatrix>& matrices);
 
 }  // namespace posture
