@@ -101,7 +101,7 @@ Points pointsAt(const std::vector<FacePoint>& places, const TriangleMesh& mesh) 
   return points;
 }
 
-/// How often it is looked anew where a surface is strained.
+/// How often it is looked anew where a surface is strained and which matches are believed.
 constexpr int RENEWAL = 3;
 
 /// Shares of the softness in anneal(). Many of few rounds do no worse than few of many, and by up
@@ -141,11 +141,8 @@ class Bender {
             const PoseFeatures& of_to,
             const std::vector<int>& matches,
             Points& bent) {
-    Vector believed = belief(from_, to_, matches, apart_);
-    if (pulls_++ % RENEWAL == 0 || believed != believed_) {
-      attraction_ = from_.arap.attract(softness_, believed, bent);
-      believed_ = std::move(believed);
-    }
+    if (pulls_++ % RENEWAL == 0)
+      attraction_ = from_.arap.attract(softness_, belief(from_, to_, matches, apart_), bent);
     const Points goals = pointsAt(bestPlaces(of_from, to_, of_to, matches), to_.mesh);
     if (before_.rows() == 0) before_ = bent;
     const Points start = bent + stride_.momentum * (bent - before_);
@@ -161,7 +158,6 @@ class Bender {
   double softness_ = 0;
   int pulls_ = 0;
   Points before_;
-  Vector believed_;
   std::optional<Arap::Attraction> attraction_;
 };
 
