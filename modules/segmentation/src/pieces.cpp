@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pieces.h"
 
+#include <posture/core/parallel.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/normals.h>
 
 #include "moments.h"
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace posture {
 namespace {
@@ -61,11 +63,13 @@ Pieces::Pieces(const PosedBody& body, const std::vector<int>& label) : body_(bod
     }
     total_area_ += body.areas[f];
   }
+  std::vector<std::pair<Piece*, std::vector<Eigen::Isometry3d>>> starts;
   for (auto& [number, piece] : pieces_) {
-    std::vector<Eigen::Isometry3d> start;
-    for (const Moments& m : moments[number]) start.push_back(m.motion());
-    fit(piece, start);
+    starts.push_back({&piece, {}});
+    for (const Moments& m : moments[number]) starts.back().second.push_back(m.motion());
   }
+  parallelFor(static_cast<int>(starts.size()),
+              [&](int i) { fit(*starts[i].first, starts[i].second); });
 }
 
 void Pieces::fit(Piece& piece, const std::vector<Eigen::Isometry3d>& start) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
 #include <posture/core/median.h>
+#include <posture/core/parallel.h>
 #include <posture/core/unions.h>
 #include <posture/geodesic/landmarks.h>
 #include <posture/mesh/areas.h>
@@ -91,15 +92,20 @@ class Clustering {
   /// On a mesh in islands, that many on one of them and single clusters on the others.
   void mergeDownTo(int count) {
     std::priority_queue<Candidate> queue;
-    const auto push = [&](int a, int b) {
+    const auto push = [&](int a, int b, double cost) {
       const Cluster &one = clusters_[a], &other = clusters_[b];
-      const double cost = mergingCost(one, other);
       const double rounding = ROUNDING_COST * (one.area + other.area);
       queue.push({std::max(cost, rounding), cost, a, b, one.version, other.version});
     };
+    std::vector<std::pair<int, int>> pairs;
     for (int f = 0; f < static_cast<int>(clusters_.size()); ++f)
       for (int g : clusters_[f].adjacent)
-        if (f < g) push(f, g);
+        if (f < g) pairs.emplace_back(f, g);
+    std::vector<double> costs(pairs.size());
+    forEach(static_cast<int>(pairs.size()), [&](int i) {
+      costs[i] = mergingCost(clusters_[pairs[i].first], clusters_[pairs[i].second]);
+    });
+    for (std::size_t i = 0; i < pairs.size(); ++i) push(pairs[i].first, pairs[i].second, costs[i]);
     while (merges_left_ >= count && !queue.empty()) {
       const Candidate best = queue.top();
       queue.pop();
@@ -107,7 +113,8 @@ class Clustering {
           clusters_[best.b].version != best.version_b)
         continue;
       merge(best.a, best.b, best.cost);
-      for (int g : clusters_[best.a].adjacent) push(best.a, g);
+      for (int g : clusters_[best.a].adjacent)
+        push(best.a, g, mergingCost(clusters_[best.a], clusters_[g]));
     }
   }
 
@@ -286,12 +293,12 @@ RigidSegments segmentRigidParts(const TriangleMesh& rest, const std::vector<Poin
     const double scale = segments.scale[k];
     const Vector3d from = scale * rest.vertices.colwise().mean().transpose(),
                    to = poses[k].colwise().mean();
-    segments.motion.emplace_back();
-    for (const std::vector<int>& part : faces) {
-      Eigen::Isometry3d motion = robustMotion(body, k, part);
+    segments.motion.emplace_back(faces.size());
+    parallelFor(segments.count, [&](int part) {
+      Eigen::Isometry3d& motion = segments.motion.back()[part];
+      motion = robustMotion(body, k, faces[part]);
       motion.translation() = scale * unit * motion.translation() + to - motion.linear() * from;
-      segments.motion.back().push_back(motion);
-    }
+    });
   }
   return segments;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sliding_fit.h"
 
+#include <posture/core/parallel.h>
 #include <posture/mesh/nearest_on_faces.h>
 #include <posture/mesh/normals.h>
 
@@ -81,9 +82,8 @@ SlidingFit slideOnto(const PosedSurface& surface,
   std::vector<Vector3d> normal(of.size()), whole(of.size());
   std::vector<double> off(of.size()), factor(of.size(), 1.0);
   for (int round = 0;; ++round) {
-    fit.misfit = 0;
-    for (std::size_t i = 0; i < of.size(); ++i) {
-      const auto& [v, weight] = of[i];
+    forEach(static_cast<int>(of.size()), [&](int i) {
+      const int v = of[i].vertex;
       const Vector3d p = fit.motion * Vector3d(rest.row(v));
       const PosedSurface::Place place = surface.nearest(p, near[i]);
       const double across = place.normal.dot(p - place.at);
@@ -92,8 +92,9 @@ SlidingFit slideOnto(const PosedSurface& surface,
       normal[i] = place.normal;
       whole[i] = away + (across - place.normal.dot(away)) * place.normal;
       off[i] = squaredDistance(across * place.normal, whole[i], along);
-      fit.misfit += weight * off[i];
-    }
+    });
+    fit.misfit = 0;
+    for (std::size_t i = 0; i < of.size(); ++i) fit.misfit += of[i].weight * off[i];
     if (round == rounds) return fit;
     if (robust) factor = robustFactors(off);
     Matrix6 of_steps = Matrix6::Zero();
