@@ -91,8 +91,8 @@ bool isEye(const Eigen::Vector3d& place, const PointCloud& image, bool otherwise
 }
 
 /// Whether points are where a camera at the origin looks, as in files and messages that nobody
-/// moved: along the z of its frame (optical frames) or the x, and hardly any right before the lens or
-/// in it, where missing points are put.
+/// moved: along the z of its frame (optical frames) or the x, and hardly any right before the lens
+/// or in it, where missing points are put.
 bool areAhead(const Points& points, const std::vector<int>& rows) {
   constexpr double MOSTLY = 0.7;  // cosine
   constexpr double CLOSE = 0.1;   // of the median distance
