@@ -107,7 +107,7 @@ bool areAhead(const Points& points, const std::vector<int>& rows) {
   const double close = CLOSE * median(distances);
   const auto num_close = std::count_if(
       distances.begin(), distances.end(), [&](double distance) { return distance <= close; });
-  return static_cast<double>(num_close) <= FEW * static_cast<double>(rows.size());
+  return static_cast<double>(num_close) <= std::max(1.0, FEW * static_cast<double>(rows.size()));
 }
 
 /// Where a scanner may have stood: where the cloud says, or, where it says nothing that is surer,
