@@ -85,8 +85,7 @@ TEST_P(EveryArapSteps, solveWithTheFactorsOfASystem) {
   Rng rng(3);
   Matrix dense = Matrix::Zero(VERTICES, VERTICES);
   for (int k = 0; k < 4 * VERTICES; ++k)
-    dense(static_cast<int>(VERTICES * rng.uniform()), static_cast<int>(VERTICES * rng.uniform())) =
-        rng.normal();
+    dense(k % VERTICES, static_cast<int>(VERTICES * rng.uniform())) = rng.normal();
   const Matrix system = dense * dense.transpose() + Matrix::Identity(VERTICES, VERTICES);
   const Points right = randomPoints(rng);
   const Eigen::

@@ -9,8 +9,6 @@ namespace posture {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
-#define POSTURE_INLINE [[gnu::always_inline]] inline
-
 /// A row in registers of AVX2, and without it.
 using Four = double __attribute__((vector_size(4 * sizeof(double))));
 using Two = double __attribute__((vector_size(2 * sizeof(double))));
@@ -18,27 +16,29 @@ struct TwoTwos {
   Two xy, z0;
 };
 
-POSTURE_INLINE TwoTwos operator+(const TwoTwos& a, const TwoTwos& b) {
+[[gnu::always_inline]] inline TwoTwos operator+(const TwoTwos& a, const TwoTwos& b) {
   return {a.xy + b.xy, a.z0 + b.z0};
 }
-POSTURE_INLINE TwoTwos operator-(const TwoTwos& a, const TwoTwos& b) {
+[[gnu::always_inline]] inline TwoTwos operator-(const TwoTwos& a, const TwoTwos& b) {
   return {a.xy - b.xy, a.z0 - b.z0};
 }
-POSTURE_INLINE TwoTwos operator*(double s, const TwoTwos& a) { return {s * a.xy, s * a.z0}; }
+[[gnu::always_inline]] inline TwoTwos operator*(double s, const TwoTwos& a) {
+  return {s * a.xy, s * a.z0};
+}
 
 // Without AVX2 a Four is returned another way than with it: these take all by reference.
 template <class Row>
-POSTURE_INLINE void load(const WideRow& from, Row& row) {
+[[gnu::always_inline]] inline void load(const WideRow& from, Row& row) {
   std::memcpy(&row, from.at, sizeof row);
 }
 
 template <class Row>
-POSTURE_INLINE void store(const Row& row, WideRow& to) {
+[[gnu::always_inline]] inline void store(const Row& row, WideRow& to) {
   std::memcpy(to.at, &row, sizeof row);
 }
 
 template <class Row>
-POSTURE_INLINE void add(const Row& row, WideRow& to) {
+[[gnu::always_inline]] inline void add(const Row& row, WideRow& to) {
   Row sum;
   load(to, sum);
   sum = sum + row;
@@ -46,9 +46,9 @@ POSTURE_INLINE void add(const Row& row, WideRow& to) {
 }
 
 template <class Row>
-POSTURE_INLINE void addCovariances(const std::vector<RigidEdge>& edges,
-                                   const std::vector<WideRow>& places,
-                                   std::vector<WideMatrix>& matrices) {
+[[gnu::always_inline]] inline void addCovariances(const std::vector<RigidEdge>& edges,
+                                                  const std::vector<WideRow>& places,
+                                                  std::vector<WideMatrix>& matrices) {
   for (const RigidEdge& e : edges) {
     Row i, j;
     load(places[e.i], i);
@@ -63,10 +63,10 @@ POSTURE_INLINE void addCovariances(const std::vector<RigidEdge>& edges,
 }
 
 template <class Row>
-POSTURE_INLINE void addRigidPull(const std::vector<RigidEdge>& edges,
-                                 const std::vector<WideMatrix>& rotations,
-                                 const Vector& stiffness,
-                                 std::vector<WideRow>& pull) {
+[[gnu::always_inline]] inline void addRigidPull(const std::vector<RigidEdge>& edges,
+                                                const std::vector<WideMatrix>& rotations,
+                                                const Vector& stiffness,
+                                                std::vector<WideRow>& pull) {
   for (const RigidEdge& e : edges) {
     Row turned[3];
     for (int k = 0; k < 3; ++k) {
@@ -84,9 +84,9 @@ POSTURE_INLINE void addRigidPull(const std::vector<RigidEdge>& edges,
 }
 
 template <class Row>
-POSTURE_INLINE void solve(const Sparse& lower,
-                          const Vector& inverse_diagonal,
-                          std::vector<WideRow>& x) {
+[[gnu::always_inline]] inline void solve(const Sparse& lower,
+                                         const Vector& inverse_diagonal,
+                                         std::vector<WideRow>& x) {
   const int* const begin = lower.outerIndexPtr();
   const int* const row = lower.innerIndexPtr();
   const double* const value = lower.valuePtr();
@@ -113,24 +113,22 @@ POSTURE_INLINE void solve(const Sparse& lower,
 constexpr ArapSteps PORTABLE{addCovariances<TwoTwos>, addRigidPull<TwoTwos>, solve<TwoTwos>};
 
 #if defined(__x86_64__)
-#define POSTURE_AVX2 __attribute__((target("avx2")))
-
-POSTURE_AVX2 void addCovariancesByAvx2(const std::vector<RigidEdge>& edges,
-                                       const std::vector<WideRow>& places,
-                                       std::vector<WideMatrix>& matrices) {
+__attribute__((target("avx2"))) void addCovariancesByAvx2(const std::vector<RigidEdge>& edges,
+                                                          const std::vector<WideRow>& places,
+                                                          std::vector<WideMatrix>& matrices) {
   addCovariances<Four>(edges, places, matrices);
 }
 
-POSTURE_AVX2 void addRigidPullByAvx2(const std::vector<RigidEdge>& edges,
-                                     const std::vector<WideMatrix>& rotations,
-                                     const Vector& stiffness,
-                                     std::vector<WideRow>& pull) {
+__attribute__((target("avx2"))) void addRigidPullByAvx2(const std::vector<RigidEdge>& edges,
+                                                        const std::vector<WideMatrix>& rotations,
+                                                        const Vector& stiffness,
+                                                        std::vector<WideRow>& pull) {
   addRigidPull<Four>(edges, rotations, stiffness, pull);
 }
 
-POSTURE_AVX2 void solveByAvx2(const Sparse& lower,
-                              const Vector& inverse_diagonal,
-                              std::vector<WideRow>& x) {
+__attribute__((target("avx2"))) void solveByAvx2(const Sparse& lower,
+                                                 const Vector& inverse_diagonal,
+                                                 std::vector<WideRow>& x) {
   solve<Four>(lower, inverse_diagonal, x);
 }
 

@@ -24,7 +24,9 @@ Points narrowRows(const std::vector<WideRow>& rows);
 WideMatrix wide(const Eigen::Matrix3d& matrix);
 
 inline Eigen::Matrix3d narrow(const WideMatrix& matrix) {
-  return Eigen::Map<const Eigen::Matrix3d, 0, Eigen::OuterStride<4>>(matrix.column[0].at);
+  Eigen::Matrix3d m;
+  for (int k = 0; k < 3; ++k) m.col(k) = Eigen::Map<const Eigen::Vector3d>(matrix.column[k].at);
+  return m;
 }
 
 /// An edge of positive weight; looked at once for both its ends.
@@ -42,8 +44,8 @@ struct ArapSteps {
                          const std::vector<WideRow>& places,
                          std::vector<WideMatrix>& matrices);
 
-  /// Adds the right-hand side that the edges at rest make, turned by half as each end is, with the
-  /// stiffness of that.
+  /// Adds the right-hand side that the edges at rest make, each turned by the mean of its ends'
+  /// rotations times their stiffness.
   void (*addRigidPull)(const std::vector<RigidEdge>& edges,
                        const std::vector<WideMatrix>& rotations,
                        const Vector& stiffness,

@@ -83,8 +83,8 @@ struct Pairs {
 ///        that is there several times, it would miss again.
 template <class Operator>
 Pairs largestPairs(const Operator& op, int count, int round) {
-  // By Weyl's law the spectra of all surfaces fall off alike: of a space of 2.4 times as many
-  // dimensions all pairs have converged, of one of twice as many they have not, and begin anew.
+  // By Weyl's law the spectra of all surfaces fall off alike. With 2.4 times as many dimensions as
+  // pairs these had converged on all of ten meshes, with twice as many on none: it began anew.
   const int n = static_cast<int>(op.rows());
   const int krylov = std::min(n, std::max(12 * count / 5, count + 20));
   Spectra::SymEigsSolver<Operator> solver(const_cast<Operator&>(op), count, krylov);

@@ -88,11 +88,12 @@ void sampleBlock(const FleshField& field,
 void sample(const FleshField& field, Lattice& lattice) {
   const auto [nx, ny, nz] = lattice.size;
   lattice.value.resize(static_cast<std::size_t>(nx) * ny * nz);
-  const int layers = (nz + COARSEST_BLOCK - 1) / COARSEST_BLOCK;
-  parallelFor(layers, [&](int layer) {
-    for (int j = 0; j < lattice.size[1]; j += COARSEST_BLOCK)
-      for (int i = 0; i < lattice.size[0]; i += COARSEST_BLOCK)
-        sampleBlock(field, lattice, {i, j, layer * COARSEST_BLOCK}, COARSEST_BLOCK);
+  const auto blocksOf = [](int count) { return (count + COARSEST_BLOCK - 1) / COARSEST_BLOCK; };
+  const int across = blocksOf(ny);
+  parallelFor(across * blocksOf(nz), [&](int row) {
+    const int j = row % across * COARSEST_BLOCK, k = row / across * COARSEST_BLOCK;
+    for (int i = 0; i < lattice.size[0]; i += COARSEST_BLOCK)
+      sampleBlock(field, lattice, {i, j, k}, COARSEST_BLOCK);
   });
 }
 
