@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
+#include <algorithm>
+#include <vector>
 
 namespace posture {
 namespace {
@@ -28,6 +30,35 @@ TEST(ConnectedParts, oneCommonVertexJoins) {
   mesh.faces.resize(2, 3);
   mesh.faces << 0, 1, 2, 2, 3, 4;
   EXPECT_EQ(connectedParts(mesh).area.size(), 1u);
+}
+
+TEST(ConnectedParts, ofMarkedVertices) {
+  const TriangleMesh strip = test::grid(10, 2, 10, 2);
+  const int n = static_cast<int>(strip.vertices.rows());
+  const VertexNeighbors neighbors(strip.faces, n);
+  std::vector<char> marked(n, 0);
+  EXPECT_TRUE(markedParts(neighbors, marked).empty());
+  // Both ends, and a vertex in the middle.
+  std::vector<int> left, right, middle;
+  for (int v = 0; v < n; ++v) {
+    const double x = strip.vertices(v, 0), y = strip.vertices(v, 1);
+    std::vector<int>* part = x < 2.5            ? &left
+                             : x > 7.5          ? &right
+                             : x == 5 && y == 1 ? &middle
+                                                : nullptr;
+    if (part == nullptr) continue;
+    part->push_back(v);
+    marked[v] = 1;
+  }
+  ASSERT_EQ(middle.size(), 1U);
+  std::vector<std::vector<int>> parts = markedParts(neighbors, marked);
+  ASSERT_EQ(parts.size(), 3U);
+  for (std::vector<int>& part : parts) {
+    EXPECT_EQ(part.front(), *std::min_element(part.begin(), part.end()));
+    std::sort(part.begin(), part.end());
+  }
+  for (const auto& expected : {left, right, middle})
+    EXPECT_EQ(std::count(parts.begin(), parts.end(), expected), 1);
 }
 
 TEST(ConnectedParts, ofNothingAreNone) {

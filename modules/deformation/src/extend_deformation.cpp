@@ -5,6 +5,7 @@
 #include <posture/deformation/arap.h>
 #include <posture/deformation/extend_deformation.h>
 #include <posture/mesh/areas.h>
+#include <posture/mesh/connected_parts.h>
 #include <posture/mesh/vertex_neighbors.h>
 
 #include <algorithm>
@@ -23,26 +24,6 @@ constexpr int RINGS = 2;
 constexpr double HOLD = 1e4;
 
 constexpr int ITERATIONS = 50;
-
-/// Free vertices that are joined to each other by no more than two edges, in sets.
-std::vector<std::vector<int>> freeRegions(const Faces& faces, std::vector<char> is_free) {
-  const int n = static_cast<int>(is_free.size());
-  const VertexNeighbors near = VertexNeighbors(faces, n).withinTwoEdges();
-  std::vector<std::vector<int>> regions;
-  for (int start = 0; start < n; ++start) {
-    if (is_free[start] == 0) continue;
-    is_free[start] = 0;
-    std::vector<int> region{start};
-    for (std::size_t i = 0; i < region.size(); ++i)
-      for (const int* w = near.begin(region[i]); w != near.end(region[i]); ++w)
-        if (is_free[*w] != 0) {
-          is_free[*w] = 0;
-          region.push_back(*w);
-        }
-    regions.push_back(std::move(region));
-  }
-  return regions;
-}
 
 /// The part of a surface around some of its vertices.
 class Surroundings {
@@ -130,7 +111,9 @@ Points extendDeformation(const TriangleMesh& rest,
   require(places.rows() == n && static_cast<Eigen::Index>(is_free.size()) == n,
           "extendDeformation: one place and one mark a vertex");
   const VertexFaces faces_at(rest.faces, static_cast<int>(n));
-  for (const std::vector<int>& region : freeRegions(rest.faces, is_free))
+  // Regions with a single known vertex between them are one.
+  const VertexNeighbors near = VertexNeighbors(rest.faces, static_cast<int>(n)).withinTwoEdges();
+  for (const std::vector<int>& region : markedParts(near, is_free))
     layRegion(rest, faces_at, is_free, region, places);
   return places;
 }

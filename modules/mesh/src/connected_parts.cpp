@@ -5,6 +5,8 @@
 #include <posture/mesh/connected_parts.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 namespace posture {
 
@@ -36,6 +38,24 @@ std::vector<int> leastOfPart(const Faces& faces, int vertex_count) {
     sets.join(faces(f, 0), faces(f, 2));
   }
   return sets.roots();
+}
+
+std::vector<std::vector<int>> markedParts(const VertexNeighbors& neighbors,
+                                          std::vector<char> marked) {
+  std::vector<std::vector<int>> parts;
+  for (int start = 0; start < static_cast<int>(marked.size()); ++start) {
+    if (marked[start] == 0) continue;
+    std::vector<int> part{start};
+    marked[start] = 0;
+    for (std::size_t i = 0; i < part.size(); ++i)
+      for (const int* w = neighbors.begin(part[i]); w != neighbors.end(part[i]); ++w)
+        if (marked[*w] != 0) {
+          marked[*w] = 0;
+          part.push_back(*w);
+        }
+    parts.push_back(std::move(part));
+  }
+  return parts;
 }
 
 }  // namespace posture

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lay_anew.h"
 
+#include <posture/mesh/connected_parts.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/rigid_motion.h>
 #include <posture/refine/bent_pair.h>
@@ -51,7 +52,7 @@ Points placesAnew(const BendableSurface& a,
                   double softness,
                   const Points& bent) {
   Points laid = bent;
-  for (const std::vector<int>& part : markedParts(a, marked)) {
+  for (const std::vector<int>& part : markedParts(a.neighbors, marked)) {
     const std::vector<int> around = surroundings(a, part, marked);
     if (around.size() < FEWEST) continue;
     const Eigen::Isometry3d motion =

@@ -27,25 +27,6 @@ double areaShare(const BendableSurface& surface, const std::vector<char>& marked
   return sum / mass.sum();
 }
 
-std::vector<std::vector<int>> markedParts(const BendableSurface& surface,
-                                          std::vector<char> marked) {
-  const VertexNeighbors& neighbors = surface.neighbors;
-  std::vector<std::vector<int>> parts;
-  for (int start = 0; start < static_cast<int>(marked.size()); ++start) {
-    if (!marked[start]) continue;
-    std::vector<int> part{start};
-    marked[start] = 0;
-    for (std::size_t i = 0; i < part.size(); ++i)
-      for (const int* w = neighbors.begin(part[i]); w != neighbors.end(part[i]); ++w)
-        if (marked[*w]) {
-          marked[*w] = 0;
-          part.push_back(*w);
-        }
-    parts.push_back(std::move(part));
-  }
-  return parts;
-}
-
 SpectralSurface::SpectralSurface(TriangleMesh surface, const Matrix& basis, Vector values)
     : BendableSurface(std::move(surface)),
       functions(basis.cast<float>()),

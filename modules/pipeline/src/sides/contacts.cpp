@@ -170,17 +170,10 @@ std::vector<int> weldedContacts(const TriangleMesh& mesh, int& contacts) {
   const EdgePaths paths(cut.mesh);
   const double least_detour = LEAST_DETOUR * rootArea(mesh);
   std::vector<int> welded;
-  std::vector<char> seen(n, 0);
-  for (int start = 0; start < n; ++start) {
-    if (copies[start].empty() || seen[start]) continue;
-    std::vector<int> place{start};
-    seen[start] = 1;
-    for (std::size_t i = 0; i < place.size(); ++i)
-      for (const int* w = neighbors.begin(place[i]); w != neighbors.end(place[i]); ++w)
-        if (!copies[*w].empty() && !seen[*w]) {
-          seen[*w] = 1;
-          place.push_back(*w);
-        }
+  std::vector<char> has_copies(n);
+  for (int v = 0; v < n; ++v) has_copies[v] = !copies[v].empty();
+  for (const std::vector<int>& place : markedParts(neighbors, has_copies)) {
+    const int start = place.front();
     std::vector<int> joined;  // in some other way
     for (int c : copies[start])
       if (part[c] == part[start]) joined.push_back(c);

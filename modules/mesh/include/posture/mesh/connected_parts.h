@@ -3,6 +3,7 @@
 #pragma once
 
 #include <posture/core/types.h>
+#include <posture/mesh/vertex_neighbors.h>
 
 #include <vector>
 
@@ -19,5 +20,10 @@ ConnectedParts connectedParts(const TriangleMesh& mesh);
 
 /// For each vertex the least one that edges join it to; a vertex in no face is a part of its own.
 std::vector<int> leastOfPart(const Faces& faces, int vertex_count);
+
+/// The parts of the vertices marked that are joined by what is between neighbours, each from its
+/// first vertex on, near ones first. \param marked  n.
+std::vector<std::vector<int>> markedParts(const VertexNeighbors& neighbors,
+                                          std::vector<char> marked);
 
 }  // namespace posture

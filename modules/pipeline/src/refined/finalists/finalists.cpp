@@ -3,6 +3,7 @@
 #include "refined/finalists/finalists.h"
 
 #include <posture/core/parallel.h>
+#include <posture/mesh/connected_parts.h>
 #include <posture/refine/bend.h>
 #include <posture/refine/conform.h>
 
@@ -41,7 +42,7 @@ std::vector<std::vector<int>> differingParts(const SpectralSurface& source,
   std::vector<char> open(n);
   for (int v = 0; v < n; ++v)
     open[v] = (target.mesh.vertices.row(x[v]) - target.mesh.vertices.row(y[v])).norm() > gap;
-  std::vector<std::vector<int>> parts = markedParts(source, std::move(open));
+  std::vector<std::vector<int>> parts = markedParts(source.neighbors, std::move(open));
   parts.erase(std::remove_if(parts.begin(),
                              parts.end(),
                              [&](const std::vector<int>& part) {

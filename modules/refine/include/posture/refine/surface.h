@@ -29,9 +29,6 @@ struct BendableSurface {
 /// The share of its area that belongs to the vertices marked. \param marked  n, or empty: none.
 double areaShare(const BendableSurface& surface, const std::vector<char>& marked);
 
-/// The connected parts of the vertices marked, each by its first vertex. \param marked  n.
-std::vector<std::vector<int>> markedParts(const BendableSurface& surface, std::vector<char> marked);
-
 /// A surface with its smoothest functions.
 struct SpectralSurface : BendableSurface {
   /// \param functions  n x k, computed on this mesh or on a finer one with all its vertices.
