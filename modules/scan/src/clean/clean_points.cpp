@@ -112,7 +112,7 @@ std::optional<PointSurface> surfaceOfCleanPoints(const Points& given,
   const Points normals = poleNormals(points, stars, spheres, h, hints, orientation);
   const std::vector<char> inside = insideByCut(points, stars, spheres, normals);
   const Points to_eye = orientation.is_one_view ? hints.directions : Points(0, 3);
-  PointSurface surface = cutSurface(points, *tetrahedra, inside, h, to_eye);
+  PointSurface surface = boundaryOfInside(points, *tetrahedra, inside, h, to_eye);
 
   int dropped = 0;
   std::vector<int> on_surface;

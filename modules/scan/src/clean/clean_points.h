@@ -4,7 +4,7 @@
 
 #include <posture/scan/reconstruct.h>
 
-#include "clean/cut_surface.h"
+#include "clean/inside_boundary.h"
 #include "points/orientation.h"
 #include <optional>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clean/cut_surface.h"
+#include "clean/inside_boundary.h"
 
 #include <posture/core/median.h>
 #include <posture/core/unions.h>
@@ -23,13 +23,13 @@ namespace {
 constexpr double LONG = 2.5;
 
 /// A face of the surface: tetrahedron 4 t + k is inside, the one across from corner k outside.
-class CutFaces {
+class BoundaryFaces {
  public:
-  CutFaces(const Points& points,
-           const Tetrahedra& tetrahedra,
-           const std::vector<char>& inside,
-           const Spacing& spacing,
-           const Points& to_eye)
+  BoundaryFaces(const Points& points,
+                const Tetrahedra& tetrahedra,
+                const std::vector<char>& inside,
+                const Spacing& spacing,
+                const Points& to_eye)
       : tetrahedra_(tetrahedra), inside_(inside), number_(4 * inside.size(), -1) {
     for (int t = 0; t < tetrahedra.size(); ++t)
       for (int k = 0; k < 4; ++k) {
@@ -114,7 +114,7 @@ class CutFaces {
 
 /// For each corner 3 f + k a number shared by the corners of one fan.
 /// \param kept  of each face, whether it is there.
-std::vector<int> fans(const CutFaces& faces, const std::vector<char>& kept) {
+std::vector<int> fans(const BoundaryFaces& faces, const std::vector<char>& kept) {
   const int count = 3 * faces.size();
   Unions sets(count);
   for (int f = 0; f < faces.size(); ++f) {
@@ -133,7 +133,9 @@ std::vector<int> fans(const CutFaces& faces, const std::vector<char>& kept) {
   return sets.roots();
 }
 
-PointSurface surfaceOf(const Points& points, const CutFaces& faces, const std::vector<char>& kept) {
+PointSurface surfaceOf(const Points& points,
+                       const BoundaryFaces& faces,
+                       const std::vector<char>& kept) {
   const std::vector<int> fan = fans(faces, kept);
   std::vector<int> vertex_of_fan(fan.size(), -1), point;
   TriangleMesh mesh{{}, Faces(std::count(kept.begin(), kept.end(), 1), 3)};
@@ -159,7 +161,7 @@ PointSurface surfaceOf(const Points& points, const CutFaces& faces, const std::v
 }
 
 /// Long faces next to each other, a list a patch.
-std::vector<std::vector<int>> longPatches(const CutFaces& faces) {
+std::vector<std::vector<int>> longPatches(const BoundaryFaces& faces) {
   Unions sets(faces.size());
   for (int f = 0; f < faces.size(); ++f) {
     if (!faces.isLong(f)) continue;
@@ -178,7 +180,7 @@ std::vector<std::vector<int>> longPatches(const CutFaces& faces) {
 /// surface does; patches that many looks have not told of, as those of a comb, are left out.
 class PutBack {
  public:
-  PutBack(const Points& points, const CutFaces& faces, std::vector<char> kept)
+  PutBack(const Points& points, const BoundaryFaces& faces, std::vector<char> kept)
       : points_(points), faces_(faces), kept_(std::move(kept)), handles_(handlesOf(kept_)) {}
 
   using Patch = std::vector<std::vector<int>>::const_iterator;
@@ -210,7 +212,7 @@ class PutBack {
   }
 
   const Points& points_;
-  const CutFaces& faces_;
+  const BoundaryFaces& faces_;
   std::vector<char> kept_;  ///< of each face
   int handles_;
   int looks_ = 0;
@@ -218,7 +220,7 @@ class PutBack {
 
 /// What is left of a bridge hangs on one of its ends: patches that share a point with one that is
 /// left out.
-void leaveOutFlaps(const CutFaces& faces,
+void leaveOutFlaps(const BoundaryFaces& faces,
                    const std::vector<std::vector<int>>& patches,
                    std::vector<char>& kept) {
   std::set<int> of_bridges;
@@ -247,12 +249,12 @@ bool looksAway(const std::array<int, 3>& face, const Points& points, const Point
       face.begin(), face.end(), [&](int corner) { return normal.dot(to_eye.row(corner)) < 0; });
 }
 
-PointSurface cutSurface(const Points& points,
-                        const Tetrahedra& tetrahedra,
-                        const std::vector<char>& inside,
-                        const Spacing& spacing,
-                        const Points& to_eye) {
-  const CutFaces faces(points, tetrahedra, inside, spacing, to_eye);
+PointSurface boundaryOfInside(const Points& points,
+                              const Tetrahedra& tetrahedra,
+                              const std::vector<char>& inside,
+                              const Spacing& spacing,
+                              const Points& to_eye) {
+  const BoundaryFaces faces(points, tetrahedra, inside, spacing, to_eye);
   const std::vector<std::vector<int>> patches = longPatches(faces);
   std::vector<char> kept(faces.size());
   for (int f = 0; f < faces.size(); ++f) kept[f] = !faces.isLong(f);

@@ -24,10 +24,10 @@ bool looksAway(const std::array<int, 3>& face, const Points& points, const Point
 /// point, each has its own vertices there. Faces longer than the reach of their corners are left
 /// out, and those nearly as long that make a handle: a bridge between two limbs. So are those that
 /// look away from the sensor: tetrahedra have a back where points of one side have none.
-PointSurface cutSurface(const Points& points,
-                        const Tetrahedra& tetrahedra,
-                        const std::vector<char>& inside,
-                        const Spacing& spacing,
-                        const Points& to_eye);
+PointSurface boundaryOfInside(const Points& points,
+                              const Tetrahedra& tetrahedra,
+                              const std::vector<char>& inside,
+                              const Spacing& spacing,
+                              const Points& to_eye);
 
 }  // namespace posture
