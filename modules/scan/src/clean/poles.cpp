@@ -84,13 +84,13 @@ Points poleNormals(const Points& points,
       normals.row(i) = (sides.isFlipped(t) ? -1 : 1) * spheres.direction(i, t).normalized();
   std::vector<int> all(n);
   std::iota(all.begin(), all.end(), 0);
-  const std::vector<int> one_part(n, 0);
   const bool has_sensor = hints.source == HintSource::SENSOR;
-  const bool is_misplaced = has_sensor && !isSeen(hints, points, normals, spacing, one_part);
-  const OutsideHints trusted = is_misplaced ? withoutSensor(hints) : hints;
+  const SensorView view = has_sensor
+                              ? sensorView(hints, points, normals, spacing, std::vector<int>(n, 0))
+                              : SensorView{};
+  const OutsideHints trusted = has_sensor && !view.is_seen ? withoutSensor(hints) : hints;
   if (looksInward(points, normals, all, spacing, trusted, summary)) normals *= -1;
-  summary.is_one_view =
-      summary.by_sensor && (!has_sensor || areOneView(hints, points, normals, spacing, one_part));
+  summary.is_one_view = summary.by_sensor && (!has_sensor || view.is_only_one);
   // Also where the tetrahedra of a thin sheet tell otherwise.
   if (summary.is_one_view)
     for (int i = 0; i < n; ++i)

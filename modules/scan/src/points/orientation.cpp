@@ -202,22 +202,15 @@ OutsideHints withoutSensor(const OutsideHints& hints) {
   return {hints.normals, HintSource::NORMALS};
 }
 
-bool isSeen(const OutsideHints& hints,
-            const Points& points,
-            const Points& normals,
-            const Spacing& spacing,
-            const std::vector<int>& part_of) {
-  if (hints.is_assumed && surroundSensor(hints, normals, spacing)) return false;
-  const double least = hints.is_assumed ? NEARLY_ALL : MOSTLY;
-  return oneWayExcess(hints, points, normals, spacing, part_of) >= least;
-}
-
-bool areOneView(const OutsideHints& hints,
-                const Points& points,
-                const Points& normals,
-                const Spacing& spacing,
-                const std::vector<int>& part_of) {
-  return oneWayExcess(hints, points, normals, spacing, part_of) >= NEARLY_ALL;
+SensorView sensorView(const OutsideHints& hints,
+                      const Points& points,
+                      const Points& normals,
+                      const Spacing& spacing,
+                      const std::vector<int>& part_of) {
+  if (hints.is_assumed && surroundSensor(hints, normals, spacing)) return {};
+  const double excess = oneWayExcess(hints, points, normals, spacing, part_of);
+  const bool is_only_one = excess >= NEARLY_ALL;
+  return {hints.is_assumed ? is_only_one : excess >= MOSTLY, is_only_one};
 }
 
 bool looksInward(const Points& points,
@@ -253,7 +246,7 @@ OrientationSummary orientNormals(const Points& points,
   Propagated propagated = propagate(links, normals);
   OutsideHints hints = given;
   if (hints.source == HintSource::SENSOR) {
-    if (isSeen(hints, points, propagated.normals, spacing, propagated.part)) {
+    if (sensorView(hints, points, propagated.normals, spacing, propagated.part).is_seen) {
       addSensorLinks(hints.directions, normals, links);
       propagated = propagate(links, normals);
     } else {

@@ -13,7 +13,7 @@ enum class HintSource {
   NONE,
   NORMALS,  ///< given with the points: of either sign, or of no sign at all
   GRID,     ///< the depth image, as it is seen: noisy, the side is certain
-  SENSOR,   ///< exact if the scanner stood there (isSeen()): the way from the points to it
+  SENSOR,   ///< exact if the scanner stood there (sensorView()): the way from the points to it
 };
 
 struct OutsideHints {
@@ -30,25 +30,22 @@ OutsideHints rowsOf(const OutsideHints& hints, const std::vector<int>& rows);
 /// What is left to go by where the sensor did not see the points: their normals, or nothing.
 OutsideHints withoutSensor(const OutsideHints& hints);
 
-/// Whether a sensor saw points from where it is said to be: a part of them looks towards it as a
-/// whole, or, with all its normals turned round, away from it. Both sides of closed bodies fill the
-/// same part of its view; views that were put into one file, or moved and kept the place of the
-/// scanner, look any way.
-///
+struct SensorView {
+  /// Whether a sensor saw points from where it is said to be: a part of them looks towards it as a
+  /// whole, or, with all its normals turned round, away from it. Both sides of closed bodies fill
+  /// the same part of its view; views that were put into one file, or moved and kept the place of
+  /// the scanner, look any way.
+  bool is_seen = false;
+  bool is_only_one = false;  ///< hardly any of them was seen from elsewhere
+};
+
 /// \param normals  of consistent sign in each part.
 /// \param part_of  n: a number for each part.
-bool isSeen(const OutsideHints& hints,
-            const Points& points,
-            const Points& normals,
-            const Spacing& spacing,
-            const std::vector<int>& part_of);
-
-/// Whether hardly any of them was seen from elsewhere: the same, of nearly all.
-bool areOneView(const OutsideHints& hints,
-                const Points& points,
-                const Points& normals,
-                const Spacing& spacing,
-                const std::vector<int>& part_of);
+SensorView sensorView(const OutsideHints& hints,
+                      const Points& points,
+                      const Points& normals,
+                      const Spacing& spacing,
+                      const std::vector<int>& part_of);
 
 struct OrientationSummary {
   bool by_sensor = false;
