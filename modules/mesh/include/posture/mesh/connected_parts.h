@@ -21,8 +21,9 @@ ConnectedParts connectedParts(const TriangleMesh& mesh);
 /// For each vertex the least one that edges join it to; a vertex in no face is a part of its own.
 std::vector<int> leastOfPart(const Faces& faces, int vertex_count);
 
-/// The parts of the vertices marked that are joined by what is between neighbours, each from its
-/// first vertex on, near ones first. \param marked  n.
+/// The connected parts of the vertices marked, by their first vertices, each from there on.
+/// \param neighbors  what joins two of them.
+/// \param marked  n.
 std::vector<std::vector<int>> markedParts(const VertexNeighbors& neighbors,
                                           std::vector<char> marked);
 
