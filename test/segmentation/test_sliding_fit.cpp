@@ -50,7 +50,8 @@ TEST(SlidingFit, goesByTheSurface) {
   const PosedSurface surface(slid.places, slid.rest.faces);
   const Eigen::Isometry3d start = slid.asTheVerticesSay();
   EXPECT_GT(slid.off(start), 8);
-  const SlidingFit fit = slideOnto(surface, slid.rest.vertices, slid.all, start, 0.001, 50, false);
+  const SlidingFit fit =
+      slideOnto(surface, slid.rest.vertices, slid.all, start, {0.001, 50, false});
   EXPECT_LT(slid.off(fit.motion), 1);
 }
 
@@ -59,7 +60,7 @@ TEST(SlidingFit, staysWhereTheVerticesAreRight) {
   const PosedSurface surface(right.places, right.rest.faces);
   for (bool robust : {false, true}) {
     const SlidingFit fit =
-        slideOnto(surface, right.rest.vertices, right.all, right.motion, 0.01, 8, robust);
+        slideOnto(surface, right.rest.vertices, right.all, right.motion, {0.01, 8, robust});
     EXPECT_LT((fit.motion.matrix() - right.motion.matrix()).norm(), 1e-9);
     EXPECT_LT(fit.misfit, 1e-12);
   }
@@ -72,7 +73,7 @@ TEST(SlidingFit, doesNotFollowTheFew) {
     if (slid.rest.vertices(v, 0) > 0.7) bent(v, 0) += 0.5 * (slid.rest.vertices(v, 0) - 0.7);
   const PosedSurface surface(bent, slid.rest.faces);
   const auto found = [&](bool robust) {
-    return slideOnto(surface, slid.rest.vertices, slid.all, slid.motion, 0.01, 30, robust).motion;
+    return slideOnto(surface, slid.rest.vertices, slid.all, slid.motion, {0.01, 30, robust}).motion;
   };
   EXPECT_GT((found(false).matrix() - slid.motion.matrix()).norm(), 1e-3);
   EXPECT_LT((found(true).matrix() - slid.motion.matrix()).norm(), 1e-6);

@@ -40,6 +40,7 @@ std::vector<WeighedVertex> verticesOf(const PosedBody& body, const std::vector<i
   for (int f : faces)
     for (int v : body.rest.faces.row(f)) weight[v] += body.areas[f] / 3;
   std::vector<WeighedVertex> vertices;
+  vertices.reserve(weight.size());
   for (const auto& [v, w] : weight) vertices.push_back({v, w});
   return vertices;
 }
@@ -83,13 +84,12 @@ void Pieces::fit(Piece& piece, const std::vector<Eigen::Isometry3d>& start) cons
   piece.motion.clear();
   piece.misfit = 0;
   for (std::size_t k = 0; k < start.size(); ++k) {
-    const SlidingFit found = slideOnto(body_.poses[k],
-                                       body_.rest.vertices,
-                                       vertices,
-                                       start[k],
-                                       weightAlong(piece.area),
-                                       ROUNDS,
-                                       piece.area > LARGE_SHARE * total_area_);
+    const SlidingFit found =
+        slideOnto(body_.poses[k],
+                  body_.rest.vertices,
+                  vertices,
+                  start[k],
+                  {weightAlong(piece.area), ROUNDS, piece.area > LARGE_SHARE * total_area_});
     piece.motion.push_back(found.motion);
     piece.misfit += found.misfit;
   }
@@ -141,6 +141,7 @@ std::vector<Eigen::Isometry3d> Pieces::commonMotion(const Piece& a, const Piece&
         moments[k].add(at, piece->motion[k] * at, weight);
     }
   std::vector<Eigen::Isometry3d> motion;
+  motion.reserve(moments.size());
   for (const Moments& m : moments) motion.push_back(m.motion());
   return motion;
 }

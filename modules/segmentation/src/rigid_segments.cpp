@@ -242,9 +242,7 @@ Eigen::Isometry3d robustMotion(const PosedBody& body,
                    body.rest.vertices,
                    verticesOf(body, faces),
                    robustMotion(body.rest, surface.places(), body.areas, faces),
-                   weightAlong(area),
-                   ROUNDS,
-                   true)
+                   {weightAlong(area), ROUNDS, true})
       .motion;
 }
 

@@ -43,18 +43,21 @@ struct SlidingFit {
   double misfit;  ///< weighted sum of squared distances, those along the surface times `along`
 };
 
+struct SlidingOptions {
+  double along;  ///< what distance along the surface counts
+  int rounds;    ///< at most
+  bool robust;   ///< what is several times farther off than most counts little (Geman and McClure)
+};
+
 /// The rigid motion that best brings vertices onto the posed surface. Where on it they lie is known
 /// less well than that they lie on it: distance along the surface, from where a vertex is said to
 /// be, counts `along` times what distance from the surface counts (Gauss-Newton, with places and
 /// planes looked for anew in each round).
-/// \param start   a motion near the one looked for.
-/// \param robust  what is several times farther off than most counts little (Geman and McClure).
+/// \param start  a motion near the one looked for.
 SlidingFit slideOnto(const PosedSurface& surface,
                      const Points& rest,
                      const std::vector<WeighedVertex>& of,
                      const Eigen::Isometry3d& start,
-                     double along,
-                     int rounds,
-                     bool robust);
+                     const SlidingOptions& options);
 
 }  // namespace posture

@@ -122,6 +122,16 @@ class Detours {
   std::vector<Step> steps_;
 };
 
+/// A narrower ring around the same handle is often found from the far side.
+void narrow(const Handles& handles, const TriangleMesh& mesh, Ring& ring) {
+  for (;;) {
+    std::vector<int> other = handles.loopsThrough(ring.vertices[ring.vertices.size() / 2]).front();
+    const double length = lengthOf(mesh, other);
+    if (length >= ring.length) return;
+    ring = {std::move(other), length};
+  }
+}
+
 /// The narrowest ring that opens a handle with a long way around; none: there is no such handle.
 std::optional<Ring> contactRing(const TriangleMesh& mesh) {
   const Handles handles(mesh);
@@ -138,14 +148,7 @@ std::optional<Ring> contactRing(const TriangleMesh& mesh) {
       // A handle that is small in both ways, as noise makes by the hundred.
       if (ring.length < least_detour && !detours.isLong(ring, least_detour)) continue;
       if (++followed > MOST_LOOPS) break;
-      // A narrower one is often found from the far side.
-      for (;;) {
-        std::vector<int> other =
-            handles.loopsThrough(ring.vertices[ring.vertices.size() / 2]).front();
-        const double length = lengthOf(mesh, other);
-        if (length >= ring.length) break;
-        ring = {std::move(other), length};
-      }
+      narrow(handles, mesh, ring);
       if ((!rings[start] || ring.length < rings[start]->length) &&
           detours.isLong(ring, least_detour))
         rings[start] = std::move(ring);

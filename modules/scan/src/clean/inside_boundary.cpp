@@ -172,6 +172,7 @@ std::vector<std::vector<int>> longPatches(const BoundaryFaces& faces) {
   for (int f = 0; f < faces.size(); ++f)
     if (faces.isLong(f)) patches[sets.root(f)].push_back(f);
   std::vector<std::vector<int>> all;
+  all.reserve(patches.size());
   for (auto& [root, patch] : patches) all.push_back(std::move(patch));
   return all;
 }
