@@ -161,8 +161,8 @@ WideMatrix wide(const Eigen::Matrix3d& matrix) {
 
 const ArapSteps& arapSteps() {
 #if defined(__x86_64__)
-  static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-  if (has_avx2) return BY_AVX2;
+  static const bool HAS_AVX2 = __builtin_cpu_supports("avx2") != 0;
+  if (HAS_AVX2) return BY_AVX2;
 #endif
   return PORTABLE;
 }

@@ -68,8 +68,8 @@ void multiplyRowsPortably(const float* a, const float* b, int d, float* products
 
 void multiplyRows(const float* a, const float* b, int d, float* products) {
 #if defined(__x86_64__)
-  static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-  if (has_avx2) return multiplyByAvx2(a, b, d, products);
+  static const bool HAS_AVX2 = __builtin_cpu_supports("avx2") != 0;
+  if (HAS_AVX2) return multiplyByAvx2(a, b, d, products);
 #endif
   multiplyRowsPortably(a, b, d, products);
 }

@@ -78,8 +78,8 @@ void takeNearerPortably(const float* products, const BlockOfRows& a, const Block
 
 void takeNearer(const float* products, const BlockOfRows& a, const BlockOfRows& b) {
 #if defined(__x86_64__)
-  static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-  if (has_avx2) return takeByAvx2(products, a, b);
+  static const bool HAS_AVX2 = __builtin_cpu_supports("avx2") != 0;
+  if (HAS_AVX2) return takeByAvx2(products, a, b);
 #endif
   takeNearerPortably(products, a, b);
 }

@@ -29,7 +29,7 @@ PoissonFunction loadPoisson() {
 TriangleMesh poissonSurface(const OrientedPoints& oriented,
                             const NeighborTable& neighbors,
                             double spacing) {
-  static const PoissonFunction poisson = loadPoisson();
+  static const PoissonFunction POISSON = loadPoisson();
   const double extent =
       (oriented.points.colwise().maxCoeff() - oriented.points.colwise().minCoeff()).maxCoeff();
   // Cells of the octree as wide as the points are apart; PCL's box is a tenth wider than they. Few
@@ -39,7 +39,7 @@ TriangleMesh poissonSurface(const OrientedPoints& oriented,
   const int depth =
       std::clamp(static_cast<int>(std::ceil(std::log2(1.1 * extent / spacing))), 5, finest);
   TriangleMesh mesh;
-  poisson(oriented, depth, mesh);
+  POISSON(oriented, depth, mesh);
 
   std::vector<char> in_line(oriented.points.rows());
   for (int i = 0; i < oriented.points.rows(); ++i)

@@ -30,6 +30,7 @@ OutsideHints rowsOf(const OutsideHints& hints, const std::vector<int>& rows);
 /// What is left to go by where the sensor did not see the points: their normals, or nothing.
 OutsideHints withoutSensor(const OutsideHints& hints);
 
+/// What a sensor that is said to stand somewhere saw of points from there.
 struct SensorView {
   /// Whether a sensor saw points from where it is said to be: a part of them looks towards it as a
   /// whole, or, with all its normals turned round, away from it. Both sides of closed bodies fill

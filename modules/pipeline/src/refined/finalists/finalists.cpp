@@ -22,9 +22,9 @@ constexpr int BENT_FURTHER = 16, MOST_FURTHER = 4;
 
 /// The low start mends limbs turned inside out, the high one keeps those a low one would twist.
 const std::vector<std::vector<int>>& starts() {
-  static const std::vector<std::vector<int>> sizes{{12, 24, 36, 48, FINALIST_BASIS},
+  static const std::vector<std::vector<int>> SIZES{{12, 24, 36, 48, FINALIST_BASIS},
                                                    {30, 40, 50, FINALIST_BASIS}};
-  return sizes;
+  return SIZES;
 }
 
 /// Parts exchanged between finalists: at least so many vertices of a coarse mesh, so many tried at
