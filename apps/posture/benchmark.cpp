@@ -66,6 +66,7 @@ void benchmark(const BenchmarkOptions& options, const Common& common) {
   checkWritable(options.folder / "RESULTS.md");  // now, not after hours
 
   std::vector<PlannedRun> runs;
+  runs.reserve(pairs.size());
   for (const BenchmarkPair& pair : pairs)
     runs.push_back(
         {[&] { return childRun(pair, options, common); }, pair.id, options.selection.has(pair)});

@@ -47,6 +47,18 @@ Json runInChild(const ChildRun& run, const std::function<void()>& waiting) {
   return result;
 }
 
+/// Null where only a stored one is wanted, and there is none.
+Json resultOf(const PlannedRun& planned, bool fresh, RunProgress& progress) {
+  const ChildRun run = planned.run();
+  Json stored = storedResult(run);
+  if (!planned.is_asked_for) return stored;
+  progress.begin(planned.title);
+  if (!fresh && !stored.is_null() && !mayGoBetter(stored)) return stored;
+  Json result = runInChild(run, [&] { progress.wait(); });
+  progress.end(result);
+  return result;
+}
+
 }  // namespace
 
 std::vector<Json> runAll(const std::vector<PlannedRun>& runs, bool fresh, bool quiet) {
@@ -56,15 +68,7 @@ std::vector<Json> runAll(const std::vector<PlannedRun>& runs, bool fresh, bool q
       })));
   std::vector<Json> results;
   for (const PlannedRun& planned : runs) {
-    const ChildRun run = planned.run();
-    Json result = storedResult(run);
-    if (planned.is_asked_for) {
-      progress.begin(planned.title);
-      if (fresh || result.is_null() || mayGoBetter(result)) {
-        result = runInChild(run, [&] { progress.wait(); });
-        progress.end(result);
-      }
-    }
+    Json result = resultOf(planned, fresh, progress);
     if (!result.is_null()) results.push_back(std::move(result));
   }
   return results;

@@ -11,7 +11,7 @@
 namespace posture::app {
 
 /// A run in a process of its own whose result is kept in a file.
-struct ChildRun {
+struct ChildRun {  // NOLINT(bugprone-exception-escape): taken for throwing because of Json's moves
   std::vector<std::string> arguments;  ///< the verb first; it writes the result
   std::filesystem::path result_file;
   Json described;  ///< the part of the result that names the run

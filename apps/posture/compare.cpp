@@ -58,7 +58,7 @@ std::vector<BenchmarkPair> pairsOf(const CompareOptions& options) {
   if (options.target.empty()) {
     if (!options.truth.empty() || !options.mirror_truth.empty())
       throw CLI::ValidationError("--truth and --mirror", "are for SOURCE and TARGET");
-    const std::vector<BenchmarkPair> pairs = listOf(options);
+    std::vector<BenchmarkPair> pairs = listOf(options);
     options.selection.check(pairs);
     checkTexts(options.source, pairs);
     return pairs;

@@ -293,6 +293,19 @@ std::string winners(const std::map<std::string, int>& wins) {
   return words;
 }
 
+/// "cat-ref-01 (ICP 3.2, posture 4.1)"; empty where posture is best or was not run.
+std::string whereBetter(const std::string& id,
+                        const Runs& of_pair,
+                        const std::vector<Place>& order) {
+  const Place& best = order.front();
+  if (best.has("posture")) return "";
+  std::string ours = lackOfOurs(of_pair);
+  for (const Place& place : order)
+    if (place.has("posture")) ours = "posture " + place.figure;
+  if (ours.empty()) return "";
+  return id + " (" + listed(best.methods) + " " + best.figure + ", " + ours + ")";
+}
+
 std::string bestOfList(const Runs& of_variation) {
   std::map<std::string, int> wins;
   Cells better;
@@ -302,14 +315,9 @@ std::string bestOfList(const Runs& of_variation) {
     const std::vector<Place> order = placesByError(of_pair);
     if (order.empty()) continue;
     ++judged;
-    const Place& best = order.front();
-    ++wins[listed(best.methods)];
-    if (best.has("posture")) continue;
-    std::string ours = lackOfOurs(of_pair);
-    for (const Place& place : order)
-      if (place.has("posture")) ours = "posture " + place.figure;
-    if (!ours.empty())
-      better.push_back(id + " (" + listed(best.methods) + " " + best.figure + ", " + ours + ")");
+    ++wins[listed(order.front().methods)];
+    const std::string other = whereBetter(id, of_pair, order);
+    if (!other.empty()) better.push_back(other);
   }
   if (judged == 0) return "no truth is known, so no method is the best one.";
   std::string sentence =

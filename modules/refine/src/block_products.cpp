@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "block_products.h"
 
+#include <cstddef>
 #include <cstring>
 
 namespace posture {
@@ -19,12 +20,12 @@ template <class Sums>
 /// A block of products, two registers of rows by four columns: as many sums as registers hold.
 template <class Sums>
 [[gnu::always_inline]] inline void multiply(const float* a, const float* b, int d, float* at) {
-  constexpr int width = sizeof(Sums) / sizeof(float);
+  constexpr int WIDTH = sizeof(Sums) / sizeof(float);
   Sums upper_0{}, upper_1{}, upper_2{}, upper_3{}, lower_0{}, lower_1{}, lower_2{}, lower_3{};
   for (int k = 0; k < d; ++k, a += BLOCK_ROWS, b += BLOCK_ROWS) {
     Sums upper, lower;
     std::memcpy(&upper, a, sizeof upper);
-    std::memcpy(&lower, a + width, sizeof lower);
+    std::memcpy(&lower, a + WIDTH, sizeof lower);
     upper_0 += upper * b[0];
     lower_0 += lower * b[0];
     upper_1 += upper * b[1];
@@ -35,9 +36,9 @@ template <class Sums>
     lower_3 += lower * b[3];
   }
   put(upper_0, lower_0, at);
-  put(upper_1, lower_1, at + BLOCK_ROWS);
-  put(upper_2, lower_2, at + 2 * BLOCK_ROWS);
-  put(upper_3, lower_3, at + 3 * BLOCK_ROWS);
+  put(upper_1, lower_1, at += BLOCK_ROWS);
+  put(upper_2, lower_2, at += BLOCK_ROWS);
+  put(upper_3, lower_3, at += BLOCK_ROWS);
 }
 
 template <class Sums>
@@ -45,9 +46,9 @@ template <class Sums>
                                                const float* b,
                                                int d,
                                                float* products) {
-  constexpr int rows = 2 * sizeof(Sums) / sizeof(float);
-  for (int j = 0; j < BLOCK_ROWS; j += 4)
-    for (int i = 0; i < BLOCK_ROWS; i += rows)
+  constexpr std::ptrdiff_t ROWS = 2 * sizeof(Sums) / sizeof(float);
+  for (std::ptrdiff_t j = 0; j < BLOCK_ROWS; j += 4)
+    for (std::ptrdiff_t i = 0; i < BLOCK_ROWS; i += ROWS)
       multiply<Sums>(a + i, b + j, d, products + BLOCK_ROWS * j + i);
 }
 

@@ -3,6 +3,7 @@
 #include "nearer_rows.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 
@@ -30,13 +31,13 @@ template <class Floats, class Ints>
 [[gnu::always_inline]] inline void take(const float* products,
                                         const BlockOfRows& a,
                                         const BlockOfRows& b) {
-  constexpr int width = sizeof(Floats) / sizeof(float);
+  constexpr int WIDTH = sizeof(Floats) / sizeof(float);
   constexpr float INFINITE = std::numeric_limits<float>::infinity();
-  for (int j = 0; j < BLOCK_ROWS; ++j) {
+  for (std::ptrdiff_t j = 0; j < BLOCK_ROWS; ++j) {
     const float* const product = products + BLOCK_ROWS * j;
     const Ints row_b = Ints{} + b.row[j];
     Floats best = Floats{} + INFINITE;
-    for (int i = 0; i < BLOCK_ROWS; i += width) {
+    for (int i = 0; i < BLOCK_ROWS; i += WIDTH) {
       Floats along, half_a, least_a;
       Ints nearest_a;
       load(product + i, along);
@@ -52,7 +53,7 @@ template <class Floats, class Ints>
       store(nearest_a, a.nearest + i);
     }
     float least_b = INFINITE;
-    for (int i = 0; i < width; ++i) least_b = std::min(least_b, best[i]);
+    for (int i = 0; i < WIDTH; ++i) least_b = std::min(least_b, best[i]);
     if (least_b > b.least[j]) continue;
     for (int i = 0; i < BLOCK_ROWS; ++i)
       if (a.half[i] - product[i] == least_b && (least_b < b.least[j] || a.row[i] < b.nearest[j])) {
