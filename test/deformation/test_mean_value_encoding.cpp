@@ -7,11 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "support/benchmark.h"
 #include "support/motions.h"
 #include "support/shapes.h"
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 
 namespace posture {
 namespace {
@@ -296,13 +295,12 @@ TEST(MeanValueEncoding, refusesWhatIsTooSmallToHaveAnArea) {
   EXPECT_THROW(encodeMeanValues(mesh), InputError);
 }
 
-TEST(MeanValueEncoding, reproducesShapesOfTheBenchmark) {
-  const char* const folder = std::getenv("POSTURE_BENCHMARK");
-  if (folder == nullptr) GTEST_SKIP() << "POSTURE_BENCHMARK names no folder with the benchmark";
+class MeanValueEncodingOfBenchmark : public test::BenchmarkTest {};
+
+TEST_F(MeanValueEncodingOfBenchmark, reproducesItsShapes) {
   for (const char* name :
        {"cat/cat-reference.obj", "gorilla/gorilla5.off", "captures/rabbit-scan.obj"}) {
-    const TriangleMesh mesh =
-        cleanMesh(readMesh(std::filesystem::path(folder) / "meshes" / name).mesh).mesh;
+    const TriangleMesh mesh = cleanMesh(readMesh(folder_ / "meshes" / name).mesh).mesh;
     const int n = static_cast<int>(mesh.vertices.rows());
     const std::vector<int> fixed{0, n / 3, n - 1};
     const Points decoded =

@@ -5,15 +5,17 @@
 
 #include <gtest/gtest.h>
 
+#include "support/benchmark.h"
 #include "support/files.h"
 #include <algorithm>
-#include <cstdlib>
 #include <sstream>
 
 namespace posture {
 namespace {
 
 namespace fs = std::filesystem;
+
+class BenchmarkMeshes : public test::BenchmarkTest {};
 
 struct Counts {
   long vertices = 0, faces = 0;
@@ -37,11 +39,9 @@ Counts declaredCounts(const fs::path& path) {
   return counts;
 }
 
-TEST(BenchmarkMeshes, haveTheCountsThatTheirFilesDeclare) {
-  const char* const folder = std::getenv("POSTURE_BENCHMARK");
-  if (folder == nullptr) GTEST_SKIP() << "POSTURE_BENCHMARK names no folder with the benchmark";
+TEST_F(BenchmarkMeshes, haveTheCountsThatTheirFilesDeclare) {
   int count = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(folder) / "meshes")) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder_ / "meshes")) {
     if (!entry.is_regular_file()) continue;
     SCOPED_TRACE(entry.path().string());
     const Counts declared = declaredCounts(entry.path());
@@ -54,10 +54,8 @@ TEST(BenchmarkMeshes, haveTheCountsThatTheirFilesDeclare) {
   EXPECT_GT(count, 0);
 }
 
-TEST(BenchmarkMeshes, truthFilesHaveAPairALine) {
-  const char* const folder = std::getenv("POSTURE_BENCHMARK");
-  if (folder == nullptr) GTEST_SKIP() << "POSTURE_BENCHMARK names no folder with the benchmark";
-  for (const auto& entry : fs::directory_iterator(fs::path(folder) / "truth")) {
+TEST_F(BenchmarkMeshes, truthFilesHaveAPairALine) {
+  for (const auto& entry : fs::directory_iterator(folder_ / "truth")) {
     const std::string text = test::bytesOf(entry.path());
     const auto lines = std::count(text.begin(), text.end(), '\n');
     EXPECT_EQ(static_cast<long>(readVertexPairs(entry.path()).size()), lines) << entry.path();

@@ -36,6 +36,16 @@ TEST_F(DistinctFinalists, anotherAnswerIsRefinedWhereScoresDoNotDecide) {
   EXPECT_EQ(leadingOf({finalist(0, -12)}, {0}), (Answers{0}));
 }
 
+TEST_F(DistinctFinalists, oneThatHasLetSomethingGoConvincesOnlyForItself) {
+  std::vector<Finalist> finalists{finalist(0, -12), finalist(0, -8)};
+  EXPECT_TRUE(anyConvincesWhole(finalists));
+  finalists[0].score.let_go = 0.1;
+  EXPECT_FALSE(anyConvincesWhole(finalists));
+  finalists.push_back(finalist(9, -9));
+  EXPECT_TRUE(anyConvincesWhole(finalists));
+  EXPECT_FALSE(anyConvincesWhole({}));
+}
+
 TEST_F(DistinctFinalists, anAnswerIsAllButCertainWhereItFitsAndNoOtherComesNear) {
   EXPECT_TRUE(isAllButCertain({finalist(0, -12)}, {0}));
   EXPECT_TRUE(isAllButCertain({finalist(0, -12), finalist(9, -10.5)}, {0, 1}));

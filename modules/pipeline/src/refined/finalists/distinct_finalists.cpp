@@ -21,6 +21,12 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
   return distinct;
 }
 
+bool anyConvincesWhole(const std::vector<Finalist>& finalists) {
+  return std::any_of(finalists.begin(), finalists.end(), [](const Finalist& finalist) {
+    return finalist.score.let_go == 0 && convinces(finalist.score.total());
+  });
+}
+
 bool isAllButCertain(const std::vector<Finalist>& finalists, const std::vector<int>& distinct) {
   const auto score = [&](std::size_t k) { return finalists[distinct[k]].score.total(); };
   const double margin =

@@ -14,6 +14,10 @@ std::vector<int> distinctFinalists(const std::vector<Finalist>& finalists,
                                    const TriangleMesh& target,
                                    double gap);
 
+/// Whether a finalist convinces that has let nothing go: less of a body always fits a little
+/// better.
+bool anyConvincesWhole(const std::vector<Finalist>& finalists);
+
 /// Whether the best finalist scores, alone and beside the next different one, so that tips need not
 /// be matched as well. \pre  there is one.
 bool isAllButCertain(const std::vector<Finalist>& finalists, const std::vector<int>& distinct);

@@ -39,9 +39,7 @@ class FinalistSearch {
   /// So that nothing more need be sought.
   bool knownSuffices() const { return suffices_; }
 
-  bool convinces() const {
-    return !found_.empty() && posture::convinces(found_.front().score.total());
-  }
+  bool convinces() const { return anyConvincesWhole(found_); }
 
   bool isAllButCertain() const { return posture::isAllButCertain(found_, distinct()); }
 
