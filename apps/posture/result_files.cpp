@@ -170,7 +170,7 @@ void writeSurfaceLink(const fs::path& path, const ScanSurface& surface) {
 }
 
 Colors writeSegments(const fs::path& path, const Shape& shape, const ShapeSegments& segments) {
-  const Colors colors = partColors(
+  Colors colors = partColors(
       segments.label,
       partPalette(segments.parts.count, segments.parts.label, segments.surface.mesh.faces));
   writeColored(path, shape.cloud.points, shape.faces, colors);

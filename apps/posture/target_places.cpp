@@ -92,6 +92,7 @@ bool TargetPlaces::placeAtNearest(const Points& points, const std::vector<Vertex
   const PointIndex index(mesh_.vertices);
   for (int i : seen) vertex_[i] = index.nearest(points.row(i)).index;
   std::vector<double> distances;
+  distances.reserve(compared.size());
   for (int i : compared)
     distances.push_back((points.row(i) - mesh_.vertices.row(vertex_[i])).norm());
   if (median(std::move(distances)) <= mostApart(points(compared, Eigen::all), mesh_)) return true;
@@ -122,8 +123,9 @@ std::vector<SurfacePoint> TargetPlaces::onMesh(const std::vector<SurfacePoint>& 
 }
 
 std::vector<int> TargetPlaces::onMesh(const std::vector<int>& target_vertex) const {
-  std::vector<int> placed;
-  for (int t : target_vertex) placed.push_back(at(t));
+  std::vector<int> placed(target_vertex.size());
+  std::transform(
+      target_vertex.begin(), target_vertex.end(), placed.begin(), [&](int t) { return at(t); });
   return placed;
 }
 

@@ -38,6 +38,7 @@ Choice oneOf(const std::string& name,
 
 }  // namespace
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): its members are read by what is not const
 Parameters parametersFrom(XmlRpcValue given) {
   Parameters parameters;
   if (!given.valid()) return parameters;

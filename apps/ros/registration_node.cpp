@@ -42,6 +42,9 @@ std::shared_ptr<const Shape> shapeOf(const std::string& name, const Side& side) 
   });
 }
 
+void inform(const std::string& message) { ROS_INFO_STREAM(message); }
+void warn(const std::string& message) { ROS_WARN_STREAM(message); }
+
 }  // namespace
 
 RegistrationNode::RegistrationNode(const Parameters& parameters) : parameters_(parameters) {
@@ -102,7 +105,7 @@ void RegistrationNode::work() {
     try {
       registerPair(*pair);
     } catch (const Abandoned&) {
-      if (!pair_.closed()) ROS_INFO("given up for the newer pair");
+      if (!pair_.closed()) inform("given up for the newer pair");
     } catch (const std::bad_alloc&) {
       publishStatus(failure("the clouds do not fit into memory"));
     } catch (const std::exception& error) {
@@ -126,7 +129,7 @@ void RegistrationNode::registerPair(const Pair& pair) {
   try {
     if (result.status == Status::REGISTERED) segments = segmentShape(source.shape, {result});
   } catch (const std::exception& error) {  // what took minutes is not lost for it
-    ROS_WARN("without near-rigid parts: %s", error.what());
+    warn(std::string("without near-rigid parts: ") + error.what());
   }
   const ShapeSegments* const parts = segments ? &*segments : nullptr;
 
@@ -151,9 +154,9 @@ void RegistrationNode::publishProgress(std::string_view stage, double progress) 
 void RegistrationNode::publishStatus(diagnostic_msgs::DiagnosticStatus status) const {
   using Level = diagnostic_msgs::DiagnosticStatus;
   if (status.level == Level::OK)
-    ROS_INFO_STREAM(status.message);
+    inform(status.message);
   else if (status.level == Level::WARN)
-    ROS_WARN_STREAM(status.message);
+    warn(status.message);
   else
     ROS_ERROR_STREAM(status.message);
   status.name = ros::this_node::getName().substr(1) + ": registration";

@@ -40,7 +40,7 @@ constexpr int NEAREST_FEATURES = 5;
 /// points.
 Cloud::Ptr prepared(const LocalCloud& local) {
   if (local.normals.rows() > 0) {
-    const Cloud::Ptr cloud = filtered<pcl::PointNormal>(toPclWithNormals(local));
+    Cloud::Ptr cloud = filtered<pcl::PointNormal>(toPclWithNormals(local));
     for (pcl::PointNormal& point : *cloud) point.getNormalVector3fMap().normalize();
     return cloud;
   }

@@ -56,6 +56,7 @@ class Encoder {
 
   std::vector<Vector3d> placesOf(const std::vector<int>& vertices) const {
     std::vector<Vector3d> corners;
+    corners.reserve(vertices.size());
     for (int v : vertices) corners.push_back(place(v));
     return corners;
   }
@@ -130,6 +131,7 @@ class Encoder {
 
   void layOut() {
     std::vector<Frame> frames;
+    frames.reserve(count_);
     for (int v = 0; v < count_; ++v) frames.push_back(frameOf(v));
     std::vector<char> placed(count_, 0);
     for (int root = 0; root < count_; ++root) {

@@ -94,6 +94,7 @@ class Extent {
       const double angle = 2 * M_PI * k / DIRECTIONS;
       direction_[k] = {std::cos(angle), std::sin(angle)};
       std::vector<double> ends;
+      ends.reserve(held.size());
       for (const Eigen::Vector2d& at : held) ends.push_back(at.dot(direction_[k]));
       std::sort(ends.begin(), ends.end());
       end_[k] = ends[std::min(last, ends.size() - 1)];
@@ -130,6 +131,7 @@ double shareOver(const AreaSamples& samples, const Plane& plane, const std::vect
 bool isBehind(const AreaSamples& samples, const std::vector<int>& body, Plane& plane) {
   constexpr double ON_ONE_SIDE = 0.75, MOSTLY_BARE = 0.5, MOSTLY_OVER = 0.5, HIGH = 4;
   std::vector<double> heights;
+  heights.reserve(body.size());
   for (int i : body) heights.push_back(plane.height(samples.points.row(i)));
   const auto above =
       std::count_if(heights.begin(), heights.end(), [](double height) { return height > 0; });

@@ -151,6 +151,7 @@ CleanMesh cleanMesh(const TriangleMesh& input, Facing facing) {
     throw InputError("has only faces without area");
   clean.offset = Vector::Zero(n);
   std::vector<int> input_face;
+  input_face.reserve(kept.size());
   for (int f : kept) input_face.push_back(usable.input_face[f]);
   faceAlike(input.faces, input_face, facing, clean);
   for (const Edge& e : meshEdges(clean.mesh.faces)) summary.non_manifold_edges += e.faces > 2;

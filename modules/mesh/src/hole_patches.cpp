@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/matrix_of.h>
 #include <posture/mesh/areas.h>
 #include <posture/mesh/edges.h>
 #include <posture/mesh/half_edge_mesh.h>
@@ -203,13 +204,11 @@ class Patch {
       };
       for (int w : neighbors[v]) add(w, share);
       add(v, -1);
-      right.push_back(-known);
+      right.emplace_back(-known);
     }
     Eigen::SparseMatrix<double> umbrellas(static_cast<Eigen::Index>(right.size()), unknowns);
     umbrellas.setFromTriplets(entries.begin(), entries.end());
-    Eigen::MatrixXd given(right.size(), 3);
-    for (std::size_t i = 0; i < right.size(); ++i)
-      given.row(static_cast<Eigen::Index>(i)) = right[i];
+    const auto given = matrixOf<Eigen::MatrixXd>(right);
     const Eigen::SparseMatrix<double> normal = umbrellas.transpose() * umbrellas;
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(normal);
     if (solver.info() == Eigen::Success)
@@ -264,12 +263,8 @@ HolePatches patchHoles(const TriangleMesh& mesh) {
     ++patches.holes;
     patches.rim_length += patch.rimLength();
   }
-  patches.vertices.resize(static_cast<Eigen::Index>(vertices.size()), 3);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    patches.vertices.row(static_cast<Eigen::Index>(i)) = vertices[i];
-  patches.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (int c = 0; c < 3; ++c) patches.faces(static_cast<Eigen::Index>(f), c) = faces[f][c];
+  patches.vertices = matrixOf<Points>(vertices);
+  patches.faces = matrixOf<Faces>(faces);
   return patches;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <posture/core/matrix_of.h>
 #include <posture/mesh/split_long_edges.h>
 
 #include <algorithm>
@@ -40,12 +41,7 @@ class Splitter {
   }
 
   SplitMesh result() const {
-    SplitMesh split{{Points(places_.size(), 3), Faces(faces_.size(), 3)}, parts_};
-    for (std::size_t v = 0; v < places_.size(); ++v)
-      split.mesh.vertices.row(static_cast<Eigen::Index>(v)) = places_[v];
-    for (std::size_t f = 0; f < faces_.size(); ++f)
-      for (int k = 0; k < 3; ++k) split.mesh.faces(static_cast<Eigen::Index>(f), k) = faces_[f][k];
-    return split;
+    return {{matrixOf<Points>(places_), matrixOf<Faces>(faces_)}, parts_};
   }
 
  private:

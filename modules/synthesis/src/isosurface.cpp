@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "isosurface.h"
 
+#include <posture/core/matrix_of.h>
 #include <posture/core/parallel.h>
 #include <posture/core/rng.h>
 
@@ -124,15 +125,7 @@ class Marcher {
     }
   }
 
-  TriangleMesh mesh() const {
-    TriangleMesh mesh;
-    mesh.vertices.resize(static_cast<Eigen::Index>(points_.size()), 3);
-    mesh.faces.resize(static_cast<Eigen::Index>(faces_.size()), 3);
-    for (std::size_t i = 0; i < points_.size(); ++i) mesh.vertices.row(i) = points_[i];
-    for (std::size_t i = 0; i < faces_.size(); ++i)
-      mesh.faces.row(i) << faces_[i][0], faces_[i][1], faces_[i][2];
-    return mesh;
-  }
+  TriangleMesh mesh() const { return {matrixOf<Points>(points_), matrixOf<Faces>(faces_)}; }
 
  private:
   bool inside(int n) const { return lattice_.value[n] < 0; }

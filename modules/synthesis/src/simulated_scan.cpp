@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the posture authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <posture/core/error.h>
+#include <posture/core/matrix_of.h>
 #include <posture/core/rng.h>
 #include <posture/synthesis/depth_camera.h>
 #include <posture/synthesis/simulated_scan.h>
@@ -214,13 +215,8 @@ class ScanBuilder {
   }
 
   SimulatedScan finish() {
-    const auto count = static_cast<Eigen::Index>(points_.size());
-    scan_.cloud.points.resize(count, 3);
-    scan_.rest_position.resize(count, 3);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      scan_.cloud.points.row(i) = points_[static_cast<std::size_t>(i)];
-      scan_.rest_position.row(i) = places_[static_cast<std::size_t>(i)];
-    }
+    scan_.cloud.points = matrixOf<Points>(points_);
+    scan_.rest_position = matrixOf<Points>(places_);
     scan_.surface = body_.mesh;
     for (Eigen::Index v = 0; v < scan_.surface.vertices.rows(); ++v)
       scan_.surface.vertices.row(v) = toScan(body_.mesh.vertices.row(v).transpose());

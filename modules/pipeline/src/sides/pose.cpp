@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sides/pose.h"
 
+#include <posture/core/matrix_of.h>
 #include <posture/mesh/areas.h>
 #include <posture/mesh/moment_axes.h>
 
@@ -70,8 +71,7 @@ CleanMesh inOrder(const CleanMesh& clean, const Pose& pose) {
         faces[f].begin(), std::min_element(faces[f].begin(), faces[f].end()), faces[f].end());
   }
   std::sort(faces.begin(), faces.end());
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (int k = 0; k < 3; ++k) ordered.mesh.faces(static_cast<int>(f), k) = faces[f][k];
+  ordered.mesh.faces = matrixOf<Faces>(faces);
   return ordered;
 }
 
