@@ -11,14 +11,14 @@ Counted is what both scans show, on the mesh behind the target.
     bench/scan_list.py BENCHMARK_FOLDER OUT_FOLDER [SEED]
     posture benchmark OUT_FOLDER/scans.csv -o RESULTS
 """
-import csv
 import math
 import os
 import random
 import sys
 
-from benchmark_files import cross, dot, read_mesh, read_truth, spread_pairs
+from benchmark_files import dot, read_mesh, spread_pairs
 from depth_image import View, direction
+from scan_pairs import scan_table, write_scans
 
 EACH, POINTS = 3, 25000
 APART = {6: 60, 3: 80}  # degrees between cameras, by their number
@@ -37,16 +37,6 @@ def directions(count, draw):
                 return chosen
 
 
-def elsewhere(points, draw):
-    """In another frame, a hundred times as large."""
-    x = direction(draw)
-    y = cross(x, direction(draw))
-    length = math.sqrt(dot(y, y))
-    y = tuple(c / length for c in y)
-    axes = (x, y, cross(x, y))
-    return [tuple(100 * dot(axis, p) + 1000 for axis in axes) for p in points]
-
-
 def scan(vertices, faces, count, draw):
     """Points, and of each the vertex it is nearest to, or none."""
     points = []
@@ -59,46 +49,20 @@ def scan(vertices, faces, count, draw):
     return points
 
 
-def write(path, points):
-    with open(path, "w") as out:
-        out.writelines("%.7g %.7g %.7g\n" % p for p in points)
-
-
 def main(benchmark, out, seed):
     os.makedirs(out, exist_ok=True)
     with open(os.path.join(out, "scans.csv"), "w", newline="") as listed:
-        table = csv.DictWriter(listed, ["id", "family", "kind", "source", "target", "truth",
-                                        "target_surface", "target_surface_vertices", "note"])
-        table.writeheader()
+        table = scan_table(listed)
         for row in spread_pairs(benchmark, EACH):
             mesh = {side: read_mesh(os.path.join(benchmark, row[side]))
                     for side in ("source", "target")}
-            truth = dict(reversed(read_truth(benchmark, row["truth"], len(mesh["source"][0]))))
             for count in APART:
                 new = "%s-%d-views" % (row["id"], count)
                 draw = random.Random(new + seed)
-                path = os.path.abspath(os.path.join(out, new))
                 source, target = (scan(*mesh[side], count, draw)
                                   for side in ("source", "target"))
-                write(path + "-source.xyz", elsewhere([p for p, _ in source], draw))
-                write(path + "-target.xyz", [p for p, _ in target])
-                shown = {}
-                for i, (_, w) in enumerate(target):
-                    if w is not None:
-                        shown.setdefault(w, i)
-                with open(path + ".txt", "w") as lines:
-                    lines.writelines("%d %d\n" % (i, shown[truth[v]])
-                                     for i, (_, v) in enumerate(source)
-                                     if truth.get(v) in shown)
-                with open(path + "-vertices.txt", "w") as lines:
-                    lines.writelines("%d %d\n" % (i, w) for i, (_, w) in enumerate(target)
-                                     if w is not None)
-                table.writerow({
-                    "id": new, "family": row["family"], "kind": "scans", "source": path + "-source.xyz",
-                    "target": path + "-target.xyz", "truth": path + ".txt",
-                    "target_surface": os.path.abspath(os.path.join(benchmark, row["target"])),
-                    "target_surface_vertices": path + "-vertices.txt",
-                    "note": "%d and %d points" % (len(source), len(target))})
+                table.writerow(write_scans(benchmark, out, row, new, len(mesh["source"][0]), source,
+                                           target, draw))
 
 
 if __name__ == "__main__":
