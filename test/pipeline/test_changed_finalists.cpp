@@ -73,14 +73,9 @@ TEST(WithTurned, aMapThatIsHalfATurnOffIsTurnedBack) {
     wrong.maps = {turned(surface.mesh, axis), turned(surface.mesh, axis)};
     wrong.score = scoreMaps(surface, surface, wrong.maps);
     ASSERT_GT(gap(surface.mesh, own, wrong.maps.forward), 8);
-    for (const bool source : {true, false}) {
-      const std::vector<Finalist> found = withTurned(surface,
-                                                     surface,
-                                                     source ? turns : std::vector<VertexMaps>{},
-                                                     source ? std::vector<VertexMaps>{} : turns,
-                                                     {0},
-                                                     2 * shape.samples.spacing,
-                                                     {wrong});
+    for (const Turns& of_one : {Turns{turns, {}}, Turns{{}, turns}}) {
+      const std::vector<Finalist> found =
+          withTurned(surface, surface, of_one, {0}, 2 * shape.samples.spacing, {wrong});
       ASSERT_GT(found.size(), 1U);
       EXPECT_LT(gap(surface.mesh, own, found.front().maps.forward), 3);  // it is smooth all over
       EXPECT_LT(gap(surface.mesh, own, found.front().maps.backward), 3);

@@ -22,7 +22,7 @@ constexpr double FAR = 5;
 /// them, as medians of coordinates do not.
 Eigen::RowVector3d geometricMedian(const Points& vertices, const int* begin, const int* end) {
   // About one of them and at most one large, as squares of far ones would overflow.
-  const Eigen::RowVector3d origin = vertices.row(*begin);
+  Eigen::RowVector3d origin = vertices.row(*begin);
   double size = 0;
   for (const int* w = begin; w != end; ++w)
     size = std::max(size, (vertices.row(*w) - origin).cwiseAbs().maxCoeff());

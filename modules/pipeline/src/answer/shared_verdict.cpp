@@ -68,8 +68,8 @@ RegistrationResult withMapOf(RegistrationResult verdict, RegistrationResult map)
   verdict.deformed = std::move(map.deformed);
   verdict.back = std::move(map.back);
   verdict.scale = map.scale;
-  verdict.source = withMeasured(std::move(verdict.source), map.source);
-  verdict.target = withMeasured(std::move(verdict.target), map.target);
+  verdict.source = withMeasured(verdict.source, map.source);
+  verdict.target = withMeasured(verdict.target, map.target);
   return verdict;
 }
 

@@ -21,30 +21,38 @@ namespace {
 /// taken for one on it: maps of surfaces with holes are off by 0.011 to 0.015 in the mean.
 constexpr double BEYOND_RIM = 0.015;
 
+/// The vertices of patches without a rim vertex that an edge joins to one with one, or to the rim,
+/// get the nearest of these, if that is less than `reach` away.
+/// \param input  `mesh` without patches, whose vertices and faces come first there.
+/// \return whether there were any
+bool goOnFromRim(const TriangleMesh& input,
+                 const TriangleMesh& mesh,
+                 double reach,
+                 std::vector<int>& rim) {
+  const auto n = static_cast<int>(input.vertices.rows());
+  std::vector<int> next = rim;
+  std::vector<double> distance(rim.size(), reach);
+  for (auto f = input.faces.rows(); f < mesh.faces.rows(); ++f)
+    for (int c = 0; c < 3; ++c)
+      for (const int other : {mesh.faces(f, (c + 1) % 3), mesh.faces(f, (c + 2) % 3)}) {
+        const int i = mesh.faces(f, c) - n, known = other < n ? other : rim[other - n];
+        if (i < 0 || rim[i] >= 0 || known < 0) continue;
+        const double d = (mesh.vertices.row(n + i) - mesh.vertices.row(known)).norm();
+        if (!(d < distance[i])) continue;
+        distance[i] = d;
+        next[i] = known;
+      }
+  std::swap(rim, next);
+  return rim != next;
+}
+
 /// For the vertices of patches a vertex of the input at the rim beside them: an edge away, or near
 /// enough; -1: none.
 std::vector<int> rimVertices(const TriangleMesh& input, const PatchedShape& patched) {
-  const TriangleMesh& mesh = patched.input;
-  const double reach = BEYOND_RIM * rootArea(patched.clean.mesh);
-  const auto n = static_cast<int>(input.vertices.rows());
   std::vector<int> rim(patched.patch_vertices, -1);
-  for (bool first = true, found = true; found; first = false) {
-    found = false;
-    std::vector<int> next = rim;
-    std::vector<double> distance(rim.size(), std::numeric_limits<double>::infinity());
-    for (auto f = input.faces.rows(); f < mesh.faces.rows(); ++f)
-      for (int c = 0; c < 3; ++c)
-        for (const int other : {mesh.faces(f, (c + 1) % 3), mesh.faces(f, (c + 2) % 3)}) {
-          const int i = mesh.faces(f, c) - n, known = other < n ? other : rim[other - n];
-          if (i < 0 || rim[i] >= 0 || known < 0) continue;
-          const double d = (mesh.vertices.row(n + i) - mesh.vertices.row(known)).norm();
-          if (d >= distance[i] || !(first || d < reach)) continue;
-          distance[i] = d;
-          next[i] = known;
-          found = true;
-        }
-    rim = std::move(next);
-  }
+  double reach = std::numeric_limits<double>::infinity();
+  while (goOnFromRim(input, patched.input, reach, rim))
+    reach = BEYOND_RIM * rootArea(patched.clean.mesh);
   return rim;
 }
 

@@ -76,15 +76,15 @@ RegistrationResult registerWhole(const GivenShape& source,
   });
   const bool many = std::max(cut.source.rim_length, cut.target.rim_length) > MANY_RIMS;
   std::optional<PatchedSides> uncut;
-  std::function<const PatchedSides&()> makeUncut;
-  if (parted.any())
-    makeUncut = [&]() -> const PatchedSides& {
-      return uncut.emplace(patchedSides(source.input, source.clean, target.input, target.clean));
-    };
+  using MakeSides = std::function<const PatchedSides&()>;
+  const auto makeUncut = [&]() -> const PatchedSides& {
+    return uncut.emplace(patchedSides(source.input, source.clean, target.input, target.clean));
+  };
   std::optional<Attempt> closed;
   if (many)
     closed = clock.tryAttempt("patched", 0.5, [&] {
-      return patchedAttempt(source, target, cut, makeUncut, options, clock);
+      return patchedAttempt(
+          source, target, cut, parted.any() ? MakeSides(makeUncut) : nullptr, options, clock);
     });
   const auto asGiven = [&](double portion, const RegistrationResult* known) {
     return clock.within(

@@ -45,8 +45,8 @@ std::function<void(RegistrationResult&)> ofParted(const GivenShape& source,
 /// The attempt with what `change` makes of its results.
 BegunAttempt withChange(BegunAttempt begun,
                         const std::function<void(RegistrationResult&)>& change) {
-  begun.goOn = [goOn = std::move(begun.goOn), change](const KnownAnswer& known) {
-    std::optional<Attempt> attempt = goOn(known);
+  begun.goOn = [go_on = std::move(begun.goOn), change](const KnownAnswer& known) {
+    std::optional<Attempt> attempt = go_on(known);
     return attempt ? std::optional(withChange(std::move(*attempt), change)) : std::nullopt;
   };
   return begun;

@@ -117,6 +117,18 @@ Correspondence betweenShapes(const SideSurface& from,
   return map;
 }
 
+/// Vertices of a scan's surface as the points nearest to them.
+void toNearestPoints(const CloudPoints& points,
+                     const Points& vertices,
+                     const std::vector<std::vector<int>*>& maps) {
+  std::vector<int> point_at(vertices.rows());
+  for (int v = 0; v < static_cast<int>(point_at.size()); ++v)
+    point_at[v] = points.nearest(vertices.row(v));
+  for (std::vector<int>* map : maps)
+    for (int& t : *map)
+      if (t >= 0) t = point_at[t];
+}
+
 /// Missing points stay so.
 Points movedPoints(const TriangleMesh& surface, const Points& deformed, const PointCloud& cloud) {
   const std::vector<int> seen = finiteRows(cloud.points);
@@ -160,14 +172,7 @@ void referToPoints(const Shape& source,
     result.surface_deformed = std::move(result.deformed);
     result.deformed = movedPoints(scan.mesh, result.surface_deformed, source.cloud);
   }
-  if (target_points) {
-    std::vector<int> point_at(target_surface.mesh.vertices.rows());
-    for (int v = 0; v < static_cast<int>(point_at.size()); ++v)
-      point_at[v] = target_points->nearest(target_surface.mesh.vertices.row(v));
-    for (std::vector<int>* map : vertex_maps)
-      for (int& t : *map)
-        if (t >= 0) t = point_at[t];
-  }
+  if (target_points) toNearestPoints(*target_points, target_surface.mesh.vertices, vertex_maps);
   result.source_scan = std::move(source_surface.scan);
   result.target_scan = std::move(target_surface.scan);
 }

@@ -76,6 +76,7 @@ std::vector<RefinedMap> refineLeading(const RefinedShape& source,
                                       const std::vector<int>& distinct) {
   const std::vector<int> leading = leadingOf(finalists, distinct);
   std::vector<const Finalist*> chosen;
+  chosen.reserve(leading.size());
   for (int i : leading) chosen.push_back(&finalists[i]);
   std::vector<RefinedMap> maps = refineFinalists(source, target, may_lack, chosen);
   for (RefinedMap& map : maps) map.finalist = leading[map.finalist];

@@ -184,6 +184,7 @@ bool isOfOtherSide(const TargetPart& target, const Piece& piece, const Fit& fit)
   image.points = ((piece.points.rowwise() - middle) * mirror).rowwise() + middle;
   image.normals = piece.normals * mirror;
   std::vector<Eigen::Isometry3d> starts;
+  starts.reserve(MIRRORED);
   for (int k = 0; k < MIRRORED; ++k)
     starts.push_back(fit.motion * Eigen::Translation3d(middle.transpose()) *
                      Eigen::AngleAxisd(2 * M_PI * k / MIRRORED, axes.col(2)) *

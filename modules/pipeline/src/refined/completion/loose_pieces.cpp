@@ -167,6 +167,7 @@ class Placing {
 
   std::vector<char> onRim(const std::vector<int>& piece) const {
     std::vector<char> on_rim;
+    on_rim.reserve(piece.size());
     for (int v : piece) on_rim.push_back(rim_[v]);
     return on_rim;
   }

@@ -98,6 +98,30 @@ auto ifBendable(const Work& work) -> decltype(work()) {
   }
 }
 
+/// The first different finalists followed by turns, those that lead elsewhere; no surface bent.
+std::vector<Finalist> followedBy(const Turns& turns,
+                                 const TriangleMesh& target,
+                                 const std::vector<int>& distinct,
+                                 double gap,
+                                 const std::vector<Finalist>& finalists) {
+  std::vector<Finalist> followed;
+  const auto add = [&](const Finalist& finalist, VertexMaps maps) {
+    const auto same = [&](const Finalist& other) {
+      return gapBetween(target, maps, other.maps) <= gap;
+    };
+    if (std::any_of(followed.begin(), followed.end(), same)) return;
+    followed.push_back(finalist);
+    followed.back().maps = std::move(maps);
+    followed.back().bent.reset();
+  };
+  for (std::size_t k = 0; k < std::min(MOST_TURNED_FROM, distinct.size()); ++k) {
+    const Finalist& finalist = finalists[distinct[k]];
+    for (const VertexMaps& turn : turns.source) add(finalist, composed(turn, finalist.maps));
+    for (const VertexMaps& turn : turns.target) add(finalist, composed(finalist.maps, turn));
+  }
+  return followed;
+}
+
 /// Finalists, and the best of what was made of them, new answers with what they misplace let go of:
 /// of known ones less of the body always fits a little better.
 std::vector<Finalist> withBestOf(const SpectralSurface& source,
@@ -208,35 +232,19 @@ std::vector<VertexMaps> turnsOntoItself(const SpectralSurface& surface,
 
 std::vector<Finalist> withTurned(const SpectralSurface& source,
                                  const SpectralSurface& target,
-                                 const std::vector<VertexMaps>& source_turns,
-                                 const std::vector<VertexMaps>& target_turns,
+                                 const Turns& turns,
                                  const std::vector<int>& distinct,
                                  double gap,
                                  std::vector<Finalist> finalists) {
   const double softness = settlingSoftness(source, target);
-  const std::size_t begun = std::min(MOST_TURNED_FROM, distinct.size());
-  std::vector<Finalist> composed_ones;
-  const auto add = [&](const Finalist& finalist, VertexMaps maps) {
-    const auto same = [&](const Finalist& other) {
-      return gapBetween(target.mesh, maps, other.maps) <= gap;
-    };
-    if (std::any_of(composed_ones.begin(), composed_ones.end(), same)) return;
-    composed_ones.push_back(finalist);
-    composed_ones.back().maps = std::move(maps);
-    composed_ones.back().bent.reset();
-  };
-  for (std::size_t k = 0; k < begun; ++k) {
-    const Finalist& finalist = finalists[distinct[k]];
-    for (const VertexMaps& turn : source_turns) add(finalist, composed(turn, finalist.maps));
-    for (const VertexMaps& turn : target_turns) add(finalist, composed(finalist.maps, turn));
-  }
-  std::vector<std::optional<Changed>> settled(composed_ones.size());
+  const std::vector<Finalist> begun = followedBy(turns, target.mesh, distinct, gap, finalists);
+  std::vector<std::optional<Changed>> settled(begun.size());
   parallelFor(static_cast<int>(settled.size()), [&](int i) {
     settled[i] = ifBendable([&]() -> std::optional<Changed> {
-      BentPair pair = bentPair(source, target, softness, composed_ones[i]);
+      BentPair pair = bentPair(source, target, softness, begun[i]);
       settle(source, target, softness, SETTLING_ROUNDS, pair);
       const MapScore score = scoreBent(source, target, pair, false);
-      return Changed{composed_ones[i], std::move(pair), score, false};
+      return Changed{begun[i], std::move(pair), score, false};
     });
   });
   std::vector<Changed> turned;

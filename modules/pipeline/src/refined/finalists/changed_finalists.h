@@ -37,15 +37,18 @@ std::vector<Finalist> withPartsGrownAnew(const SpectralSurface& source,
 std::vector<VertexMaps> turnsOntoItself(const SpectralSurface& surface,
                                         const SampledShape& samples);
 
+/// Of each surface onto itself, see turnsOntoItself().
+struct Turns {
+  std::vector<VertexMaps> source, target;
+};
+
 /// Finalists, and the best of what comes of following the first different ones by a turn of either
 /// side, where that scores better than any of them that is the same answer, looks like one body and
 /// keeps the outside out. By increasing score.
-/// \param source_turns, target_turns  see turnsOntoItself().
 /// \param distinct  of the finalists, those that are different, by more than `gap`.
 std::vector<Finalist> withTurned(const SpectralSurface& source,
                                  const SpectralSurface& target,
-                                 const std::vector<VertexMaps>& source_turns,
-                                 const std::vector<VertexMaps>& target_turns,
+                                 const Turns& turns,
                                  const std::vector<int>& distinct,
                                  double gap,
                                  std::vector<Finalist> finalists);

@@ -76,8 +76,8 @@ class FinalistSearch {
       const std::vector<int> different = distinct();
       found_ = withTurned(sides_.source,
                           sides_.target,
-                          turnsOntoItself(sides_.source, sourceSamples()),
-                          turnsOntoItself(sides_.target, targetSamples()),
+                          {turnsOntoItself(sides_.source, sourceSamples()),
+                           turnsOntoItself(sides_.target, targetSamples())},
                           different,
                           gap(),
                           std::move(found_));
