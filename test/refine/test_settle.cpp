@@ -247,7 +247,7 @@ TEST(CarryUp, ofARigidMotionIsThatMotion) {
   std::vector<int> same(reduced_a.vertex.size());
   for (std::size_t v = 0; v < same.size(); ++v) same[v] = static_cast<int>(v);
   const BentPair full =
-      carryUp(a, reduced_a, work_a, b, reduced_b, work_b, startFrom(work_a, work_b, {same, same}));
+      carryUp(a, reduced_a, b, reduced_b, startFrom(work_a, work_b, {same, same}));
   ASSERT_EQ(full.maps.forward.size(), static_cast<std::size_t>(a.vertices.rows()));
   ASSERT_EQ(full.maps.backward.size(), static_cast<std::size_t>(b.vertices.rows()));
   // The identity at the vertices kept, and nowhere far from it.
@@ -271,7 +271,7 @@ TEST(CarryUp, followsABend) {
   for (int v : reduced_b.vertex) pair.maps.backward.push_back(reduced_a.nearest[v]);
   pair.bent_a = placesAt(b, reduced_a.vertex);
   pair.bent_b = placesAt(a, reduced_b.vertex);
-  const BentPair full = carryUp(a, reduced_a, work_a, b, reduced_b, work_b, pair);
+  const BentPair full = carryUp(a, reduced_a, b, reduced_b, pair);
   const double edge = meanEdgeLength(a), spacing = 2 * std::sqrt(2.0 / 250);
   EXPECT_LT(meanGap(full.bent_a, b.vertices), 0.1 * edge);
   EXPECT_LT(meanGap(full.bent_b, a.vertices), 0.1 * edge);

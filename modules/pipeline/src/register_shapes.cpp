@@ -124,10 +124,11 @@ RegistrationResult registerShapes(const Shape& source,
                                   const RegistrationOptions& options,
                                   const Observer& observer) {
   StageClock clock(observer);
-  auto [source_surface, target_surface] = clock.stage("surfaces", 0.05, [&] {
+  auto surfaces = clock.stage("surfaces", 0.05, [&] {
     return std::pair(surfaceOf("source", source, options.surface),
                      surfaceOf("target", target, options.surface));
   });
+  SideSurface &source_surface = surfaces.first, &target_surface = surfaces.second;
   RegistrationResult result = registerSurfaces(source_surface, target_surface, options, clock);
   clock.stage("points", 0.01, [&] {
     referToPoints(source, target, std::move(source_surface), std::move(target_surface), result);

@@ -19,10 +19,10 @@ using Block = Eigen::MatrixXf;
 /// The leading principal directions hold what tells neighbours apart.
 constexpr int NEAREST_DIMENSIONS = 50;
 
-/// One surface in its own pose and bent onto the other.
-struct BothPoses {
-  Points own;
-  Points bent;
+/// A surface in its own pose and bent onto the other.
+struct InBothPoses {
+  const SpectralSurface& surface;
+  Points own, bent;
 };
 
 /// What makes the eigenfunctions as steep as the places are, so that neither outweighs the other:
@@ -38,27 +38,26 @@ Block normalsOf(const SpectralSurface& surface, const Points& places, double wei
 }
 
 /// Nearest neighbours both ways where everything that is known of two surfaces agrees.
-VertexMaps nearestMaps(const SpectralSurface& a,
-                       const BothPoses& poses_a,
-                       const SpectralSurface& b,
-                       const BothPoses& poses_b,
+VertexMaps nearestMaps(const InBothPoses& posed_a,
+                       const InBothPoses& posed_b,
                        int k,
                        double normal_weight,
                        const VertexMaps& maps) {
+  const SpectralSurface &a = posed_a.surface, &b = posed_b.surface;
   const FunctionalMaps c = fitFunctionalMaps(a, b, k, maps);
   const float scale = spectralScale(a, b, k);
   const auto fa = a.functions.leftCols(k), fb = b.functions.leftCols(k);
   Block joint_a(fa.rows(), 2 * k + 12), joint_b(fb.rows(), 2 * k + 12);
   inParallel(
       [&] {
-        joint_a << scale * fa, scale * (fa * c.ab), poses_a.own.cast<float>(),
-            poses_a.bent.cast<float>(), normalsOf(a, poses_a.own, normal_weight),
-            normalsOf(a, poses_a.bent, normal_weight);
+        joint_a << scale * fa, scale * (fa * c.ab), posed_a.own.cast<float>(),
+            posed_a.bent.cast<float>(), normalsOf(a, posed_a.own, normal_weight),
+            normalsOf(a, posed_a.bent, normal_weight);
       },
       [&] {
-        joint_b << scale * (fb * c.ba), scale * fb, poses_b.bent.cast<float>(),
-            poses_b.own.cast<float>(), normalsOf(b, poses_b.bent, normal_weight),
-            normalsOf(b, poses_b.own, normal_weight);
+        joint_b << scale * (fb * c.ba), scale * fb, posed_b.bent.cast<float>(),
+            posed_b.own.cast<float>(), normalsOf(b, posed_b.bent, normal_weight),
+            normalsOf(b, posed_b.own, normal_weight);
       });
   reduceDimensions(joint_a, joint_b, NEAREST_DIMENSIONS);
   VertexMaps found;
@@ -102,9 +101,9 @@ VertexMaps bend(const SpectralSurface& a,
   for (const int size : sizes) {
     const int k = basisSize(a, b, size);
     const double softness = eigenvalueAt(a, b, k);
-    const BothPoses poses_a{a.mesh.vertices, bentOnto(a, b, maps.forward, k, softness)};
-    const BothPoses poses_b{b.mesh.vertices, bentOnto(b, a, maps.backward, k, softness)};
-    maps = nearestMaps(a, poses_a, b, poses_b, k, 1 / std::sqrt(softness), maps);
+    const InBothPoses posed_a{a, a.mesh.vertices, bentOnto(a, b, maps.forward, k, softness)};
+    const InBothPoses posed_b{b, b.mesh.vertices, bentOnto(b, a, maps.backward, k, softness)};
+    maps = nearestMaps(posed_a, posed_b, k, 1 / std::sqrt(softness), maps);
   }
   return maps;
 }
@@ -117,16 +116,15 @@ VertexMaps sharpen(const SpectralSurface& a,
   constexpr double NORMAL_SHARE = 0.3;
   for (const int size : sizes) {
     const int k = basisSize(a, b, size);
-    const auto poses = [k](const SpectralSurface& from,
-                           const SpectralSurface& to,
-                           const std::vector<int>& matches) {
-      return BothPoses{lowPass(from, from.mesh.vertices, k),
-                       lowPass(from, to.mesh.vertices(matches, Eigen::all), k)};
+    const auto smoothed = [k](const SpectralSurface& from,
+                              const SpectralSurface& to,
+                              const std::vector<int>& matches) {
+      return InBothPoses{from,
+                         lowPass(from, from.mesh.vertices, k),
+                         lowPass(from, to.mesh.vertices(matches, Eigen::all), k)};
     };
-    maps = nearestMaps(a,
-                       poses(a, b, maps.forward),
-                       b,
-                       poses(b, a, maps.backward),
+    maps = nearestMaps(smoothed(a, b, maps.forward),
+                       smoothed(b, a, maps.backward),
                        k,
                        NORMAL_SHARE / std::sqrt(eigenvalueAt(a, b, k)),
                        maps);

@@ -9,10 +9,8 @@ namespace posture {
 namespace {
 
 /// Every vertex of the full mesh moves as the reduced vertices around it do.
-Points prolong(const TriangleMesh& full,
-               const ReducedMesh& reduced,
-               const BendableSurface& work,
-               const Points& bent) {
+Points prolong(const TriangleMesh& full, const ReducedMesh& reduced, const Points& bent) {
+  const BendableSurface work(reduced.mesh);
   const std::vector<Eigen::Matrix3d> rotation = work.arap.rotations(bent);
   Points places(full.vertices.rows(), 3);
   for (int v = 0; v < places.rows(); ++v) {
@@ -37,10 +35,8 @@ Points prolong(const TriangleMesh& full,
 
 BentPair carryUp(const TriangleMesh& a,
                  const ReducedMesh& reduced_a,
-                 const BendableSurface& surface_a,
                  const TriangleMesh& b,
                  const ReducedMesh& reduced_b,
-                 const BendableSurface& surface_b,
                  const BentPair& pair) {
   const auto matches =
       [](const ReducedMesh& from, const std::vector<int>& map, const ReducedMesh& to) {
@@ -56,8 +52,8 @@ BentPair carryUp(const TriangleMesh& a,
   };
   return {{matches(reduced_a, pair.maps.forward, reduced_b),
            matches(reduced_b, pair.maps.backward, reduced_a)},
-          prolong(a, reduced_a, surface_a, pair.bent_a),
-          prolong(b, reduced_b, surface_b, pair.bent_b),
+          prolong(a, reduced_a, pair.bent_a),
+          prolong(b, reduced_b, pair.bent_b),
           apart(reduced_a, pair.apart_a),
           apart(reduced_b, pair.apart_b)};
 }

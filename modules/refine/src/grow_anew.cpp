@@ -60,6 +60,7 @@ std::vector<char> allButAround(const SpectralSurface& a,
 /// What of b is matched with the vertices of a that are marked.
 std::vector<char> matchedWith(const std::vector<char>& marked, const std::vector<int>& backward) {
   std::vector<char> of_b;
+  of_b.reserve(backward.size());
   for (int v : backward) of_b.push_back(marked[v]);
   return of_b;
 }

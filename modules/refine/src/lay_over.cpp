@@ -63,6 +63,7 @@ struct Laying {
 
 double medianSquared(const std::vector<ClosestPair>& pairs) {
   std::vector<double> squared;
+  squared.reserve(pairs.size());
   for (const ClosestPair& p : pairs) squared.push_back(p.squared);
   return std::max(median(std::move(squared)), 1e-12);
 }
@@ -170,6 +171,7 @@ std::vector<Similarity> layOver(const SurfacePlaces& a, const SurfacePlaces& b, 
   }
   std::stable_sort(kept.begin(), kept.end(), byCost);
   std::vector<Similarity> ways;
+  ways.reserve(kept.size());
   for (const Laying& laying : kept) ways.push_back(laying.way);
   return ways;
 }

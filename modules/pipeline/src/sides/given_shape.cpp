@@ -23,6 +23,7 @@ std::vector<char> inputRim(const GivenShape& shape) {
   const std::vector<char> rim =
       boundaryVertices(weldedFaces(shape.input.faces, first), static_cast<int>(first.size()));
   std::vector<char> on_rim;
+  on_rim.reserve(first.size());
   for (int v : first) on_rim.push_back(rim[v]);
   return on_rim;
 }

@@ -56,26 +56,15 @@ FullMap toFullResolution(const RefinedShape& given_source,
     const double way = level / (between + 1.0);
     std::array<ReducedMesh, 2> here;
     parallelFor(2, [&](int side) { here[side] = lessReduced(side == 0 ? source : target, way); });
-    pair = carryUp(here[0].mesh,
-                   within(here[0], below_a),
-                   BendableSurface(below_a.mesh),
-                   here[1].mesh,
-                   within(here[1], below_b),
-                   BendableSurface(below_b.mesh),
-                   pair);
+    pair = carryUp(
+        here[0].mesh, within(here[0], below_a), here[1].mesh, within(here[1], below_b), pair);
     polish(BendableSurface(here[0].mesh), BendableSurface(here[1].mesh), softness, ROUNDS, pair);
     below_a = std::move(here[0]);
     below_b = std::move(here[1]);
   }
   const BendableSurface a(source.full), b(target.full);
   FullMap map;
-  map.pair = carryUp(source.full,
-                     below_a,
-                     BendableSurface(below_a.mesh),
-                     target.full,
-                     below_b,
-                     BendableSurface(below_b.mesh),
-                     pair);
+  map.pair = carryUp(source.full, below_a, target.full, below_b, pair);
   polish(a, b, softness, between > 0 ? LAST_ROUNDS : ROUNDS, map.pair);
   map.places = placesOnFaces(a, b, softness, map.pair);
   map.found = refined.found;

@@ -206,18 +206,15 @@ std::vector<RefinedMap> refineFinalists(const RefinedShape& source,
   parallelFor(static_cast<int>(finalists.size()), [&](int i) {
     const Finalist& finalist = *finalists[i];
     const RefinedShape scaled = rescaled(source, finalist.scale);
-    starts[i] = finalist.bent ? carryUp(scaled.work.mesh,
-                                        scaled.coarse,
-                                        BendableSurface(scaled.coarse.mesh),
-                                        target.work.mesh,
-                                        target.coarse,
-                                        BendableSurface(target.coarse.mesh),
-                                        *finalist.bent)
-                              : sharpened(scaled.coarseFunctions(),
-                                          surfaces.source(finalist.scale),
-                                          target.coarseFunctions(),
-                                          target_work,
-                                          finalist.maps);
+    starts[i] =
+        finalist.bent
+            ? carryUp(
+                  scaled.work.mesh, scaled.coarse, target.work.mesh, target.coarse, *finalist.bent)
+            : sharpened(scaled.coarseFunctions(),
+                        surfaces.source(finalist.scale),
+                        target.coarseFunctions(),
+                        target_work,
+                        finalist.maps);
   });
   std::vector<std::optional<RefinedMap>> settled(finalists.size() * WAYS);
   parallelFor(static_cast<int>(settled.size()), [&](int i) {

@@ -9,13 +9,10 @@ namespace posture {
 
 /// What was found on reduced meshes, on the meshes they were reduced from: every vertex moves as
 /// the reduced ones around it do, and takes the match of the nearest of them.
-/// \param surface_a, surface_b  of the reduced meshes.
 BentPair carryUp(const TriangleMesh& a,
                  const ReducedMesh& reduced_a,
-                 const BendableSurface& surface_a,
                  const TriangleMesh& b,
                  const ReducedMesh& reduced_b,
-                 const BendableSurface& surface_b,
                  const BentPair& pair);
 
 }  // namespace posture
