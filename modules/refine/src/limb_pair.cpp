@@ -178,6 +178,7 @@ Limb limbAt(const SpectralSurface& whole, int tip, double reach) {
   if (vertex.size() < FEWEST) return {};
   part.vertices = mesh.vertices(vertex, Eigen::all);
   std::vector<double> far;
+  far.reserve(vertex.size());
   for (int v : vertex) far.push_back(distance[v]);
   return {std::move(vertex), std::move(far), reach, BendableSurface(std::move(part))};
 }

@@ -74,8 +74,9 @@ GroupedPoints::GroupedPoints(const MatrixXf& rows, Order order)
     if (std::isfinite(squared[i])) row.push_back(i);
   count = static_cast<int>(row.size());
   if (order == Order::NEAR_EACH_OTHER) arrange(given, 0, count);
-  row.resize((count + GROUP - 1) / GROUP * GROUP, std::numeric_limits<int>::max());
-  blocks = MatrixXf::Zero(GROUP * dimensions, groups());
+  const std::size_t full_groups = (count + GROUP - 1) / GROUP;
+  row.resize(GROUP * full_groups, std::numeric_limits<int>::max());
+  blocks = MatrixXf::Zero(Eigen::Index{GROUP} * dimensions, groups());
   for (int g = 0; g < groups(); ++g)
     for (int i = 0; i < size(g); ++i)
       for (int d = 0; d < dimensions; ++d) blocks(GROUP * d + i, g) = given(d, row[g * GROUP + i]);

@@ -189,7 +189,8 @@ std::vector<int> tipsOf(const SampledShape& shape) {
 }
 
 std::vector<SampleMap> tipMaps(const SampledShape& a, const SampledShape& b, int most) {
-  const TipMatcher matcher(a.distances, b.distances, tipsOf(a), tipsOf(b), 8 * most);
+  const TipMatcher matcher(
+      a.distances, b.distances, tipsOf(a), tipsOf(b), 8 * static_cast<std::size_t>(most));
   std::vector<TipMatch> matches;
   for (const TipMatch& match : matcher.best()) {
     if (static_cast<int>(matches.size()) == most) break;

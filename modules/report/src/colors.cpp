@@ -72,6 +72,7 @@ std::vector<int> withoutFarOnes(const Points& points, std::vector<int> rows) {
   RowVector3d low, high;
   for (int c = 0; c < 3; ++c) {
     std::vector<double> along;
+    along.reserve(rows.size());
     for (int i : rows) along.push_back(points(i, c));
     const auto at = [&](double share) {
       const auto nth = along.begin() + std::lround(share * static_cast<double>(along.size() - 1));
