@@ -21,10 +21,10 @@ namespace {
 /// taken for one on it: maps of surfaces with holes are off by 0.011 to 0.015 in the mean.
 constexpr double BEYOND_RIM = 0.015;
 
-/// The vertices of patches without a rim vertex that an edge joins to one with one, or to the rim,
-/// get the nearest of these, if that is less than `reach` away.
+/// Gives vertices of patches that have none a rim vertex: of those that their neighbours are, or
+/// have, the nearest, if it is less than `reach` away.
 /// \param input  `mesh` without patches, whose vertices and faces come first there.
-/// \return whether there were any
+/// \return whether any got one
 bool goOnFromRim(const TriangleMesh& input,
                  const TriangleMesh& mesh,
                  double reach,
