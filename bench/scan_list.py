@@ -11,14 +11,13 @@ Counted is what both scans show, on the mesh behind the target.
     bench/scan_list.py BENCHMARK_FOLDER OUT_FOLDER [SEED]
     posture benchmark OUT_FOLDER/scans.csv -o RESULTS
 """
+import functools
 import math
-import os
-import random
 import sys
 
-from benchmark_files import dot, read_mesh, spread_pairs
+from benchmark_files import dot
 from depth_image import View, direction
-from scan_pairs import scan_table, write_scans
+from scan_pairs import write_list
 
 EACH, POINTS = 3, 25000
 APART = {6: 60, 3: 80}  # degrees between cameras, by their number
@@ -37,7 +36,7 @@ def directions(count, draw):
                 return chosen
 
 
-def scan(vertices, faces, count, draw):
+def scan(count, vertices, faces, draw):
     """Points, and of each the vertex it is nearest to, or none."""
     points = []
     for axis in directions(count, draw):
@@ -50,19 +49,8 @@ def scan(vertices, faces, count, draw):
 
 
 def main(benchmark, out, seed):
-    os.makedirs(out, exist_ok=True)
-    with open(os.path.join(out, "scans.csv"), "w", newline="") as listed:
-        table = scan_table(listed)
-        for row in spread_pairs(benchmark, EACH):
-            mesh = {side: read_mesh(os.path.join(benchmark, row[side]))
-                    for side in ("source", "target")}
-            for count in APART:
-                new = "%s-%d-views" % (row["id"], count)
-                draw = random.Random(new + seed)
-                source, target = (scan(*mesh[side], count, draw)
-                                  for side in ("source", "target"))
-                table.writerow(write_scans(benchmark, out, row, new, len(mesh["source"][0]), source,
-                                           target, draw))
+    scans = {"%d-views" % count: functools.partial(scan, count) for count in APART}
+    write_list(benchmark, out, "scans.csv", EACH, scans, seed)
 
 
 if __name__ == "__main__":

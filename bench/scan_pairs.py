@@ -1,18 +1,12 @@
-"""What the lists of simulated scans in this folder share: the source's frame, and how a pair of
-clouds is written, with the truth on the mesh behind the target."""
+"""What the lists of simulated scans in this folder share: the source's frame, and how pairs of
+clouds are written, with the truth on the mesh behind the target."""
 import csv
 import math
 import os
+import random
 
-from benchmark_files import cross, dot, read_truth
+from benchmark_files import cross, dot, read_mesh, read_truth, spread_pairs
 from depth_image import direction
-
-
-def scan_table(listed):
-    table = csv.DictWriter(listed, ["id", "family", "kind", "source", "target", "truth",
-                                    "target_surface", "target_surface_vertices", "note"])
-    table.writeheader()
-    return table
 
 
 def elsewhere(points, draw):
@@ -51,3 +45,22 @@ def write_scans(benchmark, out, row, new, count, source, target, draw):
             "target_surface": os.path.abspath(os.path.join(benchmark, row["target"])),
             "target_surface_vertices": path + "-vertices.txt",
             "note": "%d and %d points" % (len(source), len(target))}
+
+
+def write_list(benchmark, out, name, each, scans, seed):
+    """Writes a list of so many pairs a family, each once for every way to scan both meshes.
+    `scans`: what a way adds to a pair's name, and what makes a scan of vertices and faces."""
+    os.makedirs(out, exist_ok=True)
+    with open(os.path.join(out, name), "w", newline="") as listed:
+        table = csv.DictWriter(listed, ["id", "family", "kind", "source", "target", "truth",
+                                        "target_surface", "target_surface_vertices", "note"])
+        table.writeheader()
+        for row in spread_pairs(benchmark, each):
+            mesh = {side: read_mesh(os.path.join(benchmark, row[side]))
+                    for side in ("source", "target")}
+            for way, scan in scans.items():
+                new = "%s-%s" % (row["id"], way)
+                draw = random.Random(new + seed)
+                source, target = (scan(*mesh[side], draw) for side in ("source", "target"))
+                table.writerow(write_scans(benchmark, out, row, new, len(mesh["source"][0]), source,
+                                           target, draw))

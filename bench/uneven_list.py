@@ -10,13 +10,11 @@ its own.
 """
 import bisect
 import math
-import os
-import random
 import sys
 
-from benchmark_files import cross, dot, minus, read_mesh, spread_pairs
+from benchmark_files import cross, dot, minus
 from depth_image import direction
-from scan_pairs import scan_table, write_scans
+from scan_pairs import write_list
 
 EACH, POINTS, RATIO = 2, 15000, 25
 NOISE = 0.1  # of the spacing
@@ -49,17 +47,7 @@ def scan(vertices, faces, draw):
 
 
 def main(benchmark, out, seed):
-    os.makedirs(out, exist_ok=True)
-    with open(os.path.join(out, "uneven.csv"), "w", newline="") as listed:
-        table = scan_table(listed)
-        for row in spread_pairs(benchmark, EACH):
-            new = row["id"] + "-uneven"
-            draw = random.Random(new + seed)
-            mesh = {side: read_mesh(os.path.join(benchmark, row[side]))
-                    for side in ("source", "target")}
-            source, target = (scan(*mesh[side], draw) for side in ("source", "target"))
-            table.writerow(write_scans(benchmark, out, row, new, len(mesh["source"][0]), source,
-                                       target, draw))
+    write_list(benchmark, out, "uneven.csv", EACH, {"uneven": scan}, seed)
 
 
 if __name__ == "__main__":

@@ -40,6 +40,7 @@ TEST_F(DistinctFinalists, oneThatHasLetSomethingGoConvincesOnlyForItself) {
   std::vector<Finalist> finalists{finalist(0, -12), finalist(0, -8)};
   EXPECT_TRUE(anyConvincesWhole(finalists));
   finalists[0].score.let_go = 0.1;
+  EXPECT_TRUE(convinces(finalists[0].score.total()));
   EXPECT_FALSE(anyConvincesWhole(finalists));
   finalists.push_back(finalist(9, -9));
   EXPECT_TRUE(anyConvincesWhole(finalists));
